@@ -1,0 +1,270 @@
+# ---
+# jupyter:
+#   jupytext:
+#     formats: py:percent
+#     text_representation:
+#       extension: .py
+#       format_name: percent
+#       format_version: "1.3"
+#   kernelspec:
+#     display_name: Python 3
+#     language: python
+#     name: python3
+# ---
+
+# %% [markdown]
+# # Components: machine torque, gearbox and differentials
+#
+# Every printed formula of Sections 3.2 to 3.6 that follows from something simpler is derived here
+# and compared exactly. The tools are the same throughout: velocities that satisfy linear
+# constraints, a basis of the null space of these constraints, and the principle of virtual power.
+
+# %%
+import sympy as sp
+from checking import check, erratum, summary
+
+# %% [markdown]
+# ## Air-gap torque under field orientation, (3.1)
+# Start from the flux linkages (A.12), (A.13) and the torque (A.17); the rotor flux has only a
+# direct component.
+
+# %%
+p, L_m, L_S, L_R = sp.symbols("p L_m L_S L_R", positive=True)
+Psi_Rd, i_Sd, i_Sq = sp.symbols("Psi_Rd i_Sd i_Sq", real=True)
+i_S = i_Sd + sp.I * i_Sq
+i_R = (Psi_Rd - L_m * i_S) / L_R
+Psi_S = L_S * i_S + L_m * i_R
+airgap_torque = sp.Rational(3, 2) * p * sp.im(sp.expand(sp.conjugate(Psi_S) * i_S))
+check("3.1", sp.Rational(3, 2) * p * L_m / L_R * Psi_Rd * i_Sq, sp.expand(airgap_torque))
+
+# %% [markdown]
+# ## Adapter gearbox, (3.9), (3.10)
+# Input and output gear are tied by (3.8). With S the null-space basis of that constraint, the
+# reduced inertia is S'MS and the reduced torque S'Q.
+
+# %%
+I1, I2, i_gb, T_gbi, T_gbo = sp.symbols("I1 I2 i_gb T_gbi T_gbo", nonzero=True)
+gear_inertia, gear_torque = sp.diag(I1, I2), sp.Matrix([T_gbi, -T_gbo])
+S_gear = sp.Matrix([[1, -i_gb]]).nullspace()[0]
+acceleration_out = (S_gear.T * gear_torque)[0] / (S_gear.T * gear_inertia * S_gear)[0]
+S_in = S_gear / S_gear[0]
+acceleration_in = (S_in.T * gear_torque)[0] / (S_in.T * gear_inertia * S_in)[0]
+check("3.9", (T_gbi - T_gbo / i_gb) / (I1 + I2 / i_gb**2), acceleration_in)
+check("3.9", i_gb * acceleration_out, acceleration_in)
+check("3.10", (T_gbi * i_gb - T_gbo) / (I1 * i_gb**2 + I2), acceleration_out)
+
+# %% [markdown]
+# ## Bevel gear differential
+# ### Constraints (3.14) from the velocities of the contact points
+# Axis A-B is z, the pinion's axis is x. A tooth contact is the point where both bodies have the
+# same velocity; the pinion's angular velocity is the cage's plus its own spin about x.
+
+# %%
+r0, r1, r2, r3, r_c = sp.symbols("r0 r1 r2 r3 r_c", positive=True)
+w_di, w_do1, w_do2, w_3b, w_c = sp.symbols("omega_di omega_do1 omega_do2 omega_3b omega_c", real=True)
+pinion = sp.Matrix([w_3b, 0, w_c])
+contact1, contact2 = sp.Matrix([r1, 0, -r3]), sp.Matrix([r2, 0, r3])
+check("3.14", [r1 * w_c + r3 * w_3b, r2 * w_c - r3 * w_3b], [pinion.cross(contact1)[1], pinion.cross(contact2)[1]])
+check("3.14", [r1 * w_do1, r2 * w_do2],
+      [sp.Matrix([0, 0, w_do1]).cross(contact1)[1], sp.Matrix([0, 0, w_do2]).cross(contact2)[1]])
+
+# %% [markdown]
+# ### Free-body equations (3.15)
+# Lagrange multipliers: each constraint row is multiplied by its tooth force.
+
+# %%
+I0, I3, I_c = sp.symbols("I0 I3 I_c", positive=True)
+T_di, T_do1, T_do2, T_dl, T_dsl, F0, F1, F2 = sp.symbols("T_di T_do1 T_do2 T_dl T_dsl F0 F1 F2", real=True)
+velocities = sp.Matrix([w_di, w_do1, w_do2, w_3b, w_c])
+constraints = sp.Matrix([r0 * w_di - r_c * w_c, r1 * w_do1 - r1 * w_c - r3 * w_3b, r2 * w_do2 - r2 * w_c + r3 * w_3b])
+J = constraints.jacobian(velocities)
+applied = sp.Matrix([T_di - T_dl, -T_do1, -T_do2, -T_dsl, 0])
+free_body = applied + J.T * sp.Matrix([-F0, F1, F2])
+printed_3_15 = [T_di - T_dl - r0 * F0, r1 * F1 - T_do1, r2 * F2 - T_do2, r3 * F2 - r3 * F1 - T_dsl,
+                r_c * F0 - r1 * F1 - r2 * F2]
+check("3.15", printed_3_15, free_body)
+
+# %% [markdown]
+# ### Two degrees of freedom, (3.16) to (3.19)
+# The independent velocities are omega_di and omega_3b. The tooth forces do no work and vanish.
+
+# %%
+i_d, I_d, D_c = sp.symbols("i_d I_d D_c", positive=True)
+S = velocities.subs(sp.solve(list(constraints), [w_do1, w_do2, w_c])).jacobian([w_di, w_3b])
+bodies = sp.diag(I0, I1, I2, I3, I_c)
+bevel_inertia = (S.T * bodies * S).applyfunc(sp.cancel)
+bevel_torque = (S.T * applied).applyfunc(sp.cancel)
+bevel_acceleration = bevel_inertia.LUsolve(bevel_torque)
+definitions = {i_d: r_c / r0, I_d: I_c + (r_c / r0) ** 2 * I0}
+
+# as printed
+printed_D_c = I_d * (I1 * r3**2 / r1**2 + I2 * r3**2 / r2**2 + I3) + I1 * I2 * (r3 / r1 + r3 / r2) ** 2 + I1 * I3 + I2 * I3
+printed_w_di = (i_d**2 * (T_di - T_dl) * (I1 * r3**2 / r1**2 + I2 * r3**2 / r2**2 + I3)
+                - i_d * T_dsl * (I2 * r3 / r2 - I1 * r3 / r1)
+                - i_d * T_do1 * (I2 * r3**2 / r2**2 + I2 * r3**2 / (r1 * r2) + I3)
+                - i_d * T_do2 * (I1 * r3**2 / r1**2 + I1 * r3**2 / (r1 * r2) + I3))
+printed_w_3b = (i_d * (T_di - T_dl) * (I2 * r3 / r2 - I1 * r3 / r1) - T_dsl * (I_d + I1 + I2)
+                - T_do1 * (I_d * r3 / r1 + I2 * r3 / r1 + I2 * r3 / r2)
+                + T_do2 * (I_d * r3 / r2 + I1 * r3 / r1 + I1 * r3 / r2))
+check("3.16", (printed_w_di / printed_D_c).subs(definitions), bevel_acceleration[0])
+check("3.17", (printed_w_3b / printed_D_c).subs(definitions), bevel_acceleration[1])
+check("3.18", printed_D_c.subs(definitions), bevel_inertia.det() * (r_c / r0) ** 2)
+check("3.19", [w_di / i_d + r3 / r1 * w_3b, w_di / i_d - r3 / r2 * w_3b],
+      [(S * sp.Matrix([w_di, w_3b]))[k].subs(r0, r_c / i_d) for k in (1, 2)])
+
+# %% [markdown]
+# Power balance: the rate of the kinetic energy is the power of the torques, with the printed
+# accelerations and the inertias of the five bodies.
+
+# %%
+state = sp.Matrix([w_di, w_3b])
+printed_acceleration = (sp.Matrix([printed_w_di, printed_w_3b]) / printed_D_c).subs(definitions)
+outputs = S * state
+power = T_di * w_di - T_do1 * outputs[1] - T_do2 * outputs[2] - T_dl * w_di - T_dsl * w_3b
+check("3.16", (state.T * bevel_inertia * printed_acceleration)[0], power)
+
+# %% [markdown]
+# ### Steady state, (3.20), (3.21), and the speed relation (3.22)
+
+# %%
+static = sp.solve(list(bevel_torque.subs(r0, r_c / i_d)), [T_do1, T_do2], dict=True)[0]
+gamma1, gamma2, gamma0 = r1 / (r1 + r2), r2 / (r1 + r2), r1 * r2 / (r3 * (r1 + r2))
+check("3.20", [gamma1 * i_d * (T_di - T_dl) - gamma0 * T_dsl, gamma2 * i_d * (T_di - T_dl) + gamma0 * T_dsl],
+      [static[T_do1], static[T_do2]])
+check("3.21", gamma0, -sp.diff(static[T_do1], T_dsl))
+speed = sp.solve(list(constraints.subs(r_c, i_d * r0)), [w_di, w_c, w_3b], dict=True)[0][w_di]
+check("3.22", i_d * (gamma1 * w_do1 + gamma2 * w_do2), speed)
+
+# %% [markdown]
+# ## Epicyclic differential
+# ### Constraints (3.23)
+# The axes of sun, ring, carrier and planets are parallel, so the velocity of a tooth contact is
+# the carrier's at the planet's centre plus the planet's own. With omega_3p the planet's speed
+# *relative to the carrier*, the planet's absolute speed is omega_di + omega_3p.
+
+# %%
+r_r, r_s, r_p = sp.symbols("r_r r_s r_p", positive=True)
+w_3p = sp.symbols("omega_3p", real=True)
+centre = r_s + r_p
+tooth_ring = centre * w_di + r_p * (w_di + w_3p)
+tooth_sun = centre * w_di - r_p * (w_di + w_3p)
+geometry = {r_r: r_s + 2 * r_p}
+check("3.23", [(r_r * w_di + r_p * w_3p).subs(geometry), r_s * w_di - r_p * w_3p], [tooth_ring, tooth_sun])
+
+# %% [markdown]
+# ### Free-body equations (3.24) and reduction, (3.25) to (3.28)
+# The kinetic energy that (3.24) belongs to contains the planets' spin as (1/2) n_p I_p omega_3p^2.
+
+# %%
+I_r, I_s, I_p, n_p, F_r, F_s = sp.symbols("I_r I_s I_p n_p F_r F_s", positive=True)
+epi_velocities = sp.Matrix([w_di, w_do1, w_do2, w_3p])
+epi_constraints = sp.Matrix([r_r * w_do1 - r_r * w_di - r_p * w_3p, r_s * w_do2 - r_s * w_di + r_p * w_3p])
+epi_applied = sp.Matrix([T_di - T_dl, -T_do1, -T_do2, -T_dsl])
+epi_free_body = epi_applied + epi_constraints.jacobian(epi_velocities).T * n_p * sp.Matrix([F_r, F_s])
+printed_3_24 = [T_di - T_dl - n_p * r_r * F_r - n_p * r_s * F_s, n_p * r_r * F_r - T_do1, n_p * r_s * F_s - T_do2,
+                n_p * (r_p * F_s - r_p * F_r - T_dsl / n_p)]
+check("3.24", printed_3_24, epi_free_body)
+
+I_pt = n_p * I_p
+S_epi = epi_velocities.subs(sp.solve(list(epi_constraints), [w_do1, w_do2])).jacobian([w_di, w_3p])
+epi_inertia = (S_epi.T * sp.diag(I_c, I_r, I_s, I_pt) * S_epi).applyfunc(sp.cancel)
+epi_torque = (S_epi.T * epi_applied).applyfunc(sp.cancel)
+epi_acceleration = epi_inertia.LUsolve(epi_torque)
+
+printed_D_epi = (I_c * (I_r * r_p**2 / r_r**2 + I_s * r_p**2 / r_s**2 + I_pt) + I_r * I_s * (r_p / r_r + r_p / r_s) ** 2
+                 + I_r * I_pt + I_s * I_pt)
+printed_epi_di = ((T_di - T_dl) * (I_r * r_p**2 / r_r**2 + I_s * r_p**2 / r_s**2 + I_pt)
+                  - T_dsl * (I_r * r_p / r_r + I_s * r_p / r_s)
+                  - T_do1 * (I_s * r_p**2 / r_s**2 + I_s * r_p**2 / (r_r * r_s) + I_pt)
+                  - T_do2 * (I_r * r_p**2 / r_r**2 + I_r * r_p**2 / (r_r * r_s) + I_pt))
+printed_epi_3p = ((T_di - T_dl) * (I_s * r_p / r_s - I_r * r_p / r_r) - T_dsl * (I_c + I_r + I_s)
+                  - T_do1 * (I_c * r_p / r_r + I_s * r_p / r_s + I_s * r_p / r_r)
+                  + T_do2 * (I_c * r_p / r_s + I_r * r_p / r_r + I_r * r_p / r_s))
+erratum("3.25", printed_epi_di / printed_D_epi, epi_acceleration[0], "sign of I_r r_p/r_r in the factor of T_dsl")
+corrected_epi_di = printed_epi_di + T_dsl * 2 * I_r * r_p / r_r
+check("3.25 corrected", corrected_epi_di / printed_D_epi, epi_acceleration[0])
+check("3.26", printed_epi_3p / printed_D_epi, epi_acceleration[1])
+check("3.27", printed_D_epi, epi_inertia.det())
+check("3.28", [w_di + r_p / r_r * w_3p, w_di - r_p / r_s * w_3p], [(S_epi * sp.Matrix([w_di, w_3p]))[k] for k in (1, 2)])
+
+# %% [markdown]
+# The same two findings from another side: the friction matrix is the inverse of the reduced
+# inertia, hence symmetric, and the power balance closes only with the corrected sign.
+
+# %%
+printed_friction = -sp.Matrix([printed_epi_di, printed_epi_3p]).jacobian([T_dl, T_dsl])
+erratum("3.25", printed_friction[0, 1], printed_friction[1, 0], "printed friction matrix is not symmetric")
+epi_state = sp.Matrix([w_di, w_3p])
+epi_outputs = S_epi * epi_state
+epi_power = T_di * w_di - T_do1 * epi_outputs[1] - T_do2 * epi_outputs[2] - T_dl * w_di - T_dsl * w_3p
+printed_epi = sp.Matrix([printed_epi_di, printed_epi_3p]) / printed_D_epi
+corrected_epi = sp.Matrix([corrected_epi_di, printed_epi_3p]) / printed_D_epi
+erratum("3.25", (epi_state.T * epi_inertia * printed_epi)[0], epi_power, "printed form creates power")
+check("3.25 corrected", (epi_state.T * epi_inertia * corrected_epi)[0], epi_power)
+
+# %% [markdown]
+# With the planets' absolute spin omega_di + omega_3p the kinetic energy has a mixed term that
+# (3.24) leaves out; in (3.24a) and (3.24d) the inertia of a planet then acts on both accelerations.
+
+# %%
+w = sp.Matrix([w_di, w_3p])
+energy_printed = (w.T * epi_inertia * w)[0] / 2
+energy_absolute = energy_printed - I_pt * w_3p**2 / 2 + I_pt * (w_di + w_3p) ** 2 / 2 - I_pt * w_di**2 / 2
+inertia_absolute = sp.hessian(sp.expand(energy_absolute), list(w))
+erratum("3.24", epi_inertia[0, 1], inertia_absolute[0, 1], "coupling inertia n_p I_p of parallel axes is left out")
+check("3.24 corrected", epi_inertia + sp.Matrix([[0, I_pt], [I_pt, 0]]), inertia_absolute)
+
+# %% [markdown]
+# ### Steady state, (3.29), (3.30), and the speed relation (3.31)
+
+# %%
+epi_static = sp.solve(list(epi_torque), [T_do1, T_do2], dict=True)[0]
+g1, g2, g0 = r_r / (r_s + r_r), r_s / (r_s + r_r), r_r * r_s / (r_p * (r_r + r_s))
+check("3.29", [g1 * (T_di - T_dl) - g0 * T_dsl, g2 * (T_di - T_dl) + g0 * T_dsl], [epi_static[T_do1], epi_static[T_do2]])
+check("3.30", g0, -sp.diff(epi_static[T_do1], T_dsl))
+check("3.31", g1 * w_do1 + g2 * w_do2, sp.solve(list(epi_constraints), [w_di, w_3p], dict=True)[0][w_di])
+
+# %% [markdown]
+# ## Common form, (3.32), (3.33)
+# Both types: b and k follow from the reduced inertia, c from the null-space basis. The first
+# column of b equals the first column of k, and k is the inverse inertia.
+
+# %%
+u, T_fr = sp.Matrix([T_di, T_do1, T_do2]), sp.Matrix([T_dl, T_dsl])
+
+
+def common_form(inertia, torque):
+    """Return b and k of (3.32) from the reduced inertia and the reduced torque."""
+    inverse = inertia.inv().applyfunc(sp.cancel)
+    return (inverse * torque.jacobian(u)).applyfunc(sp.cancel), -(inverse * torque.jacobian(T_fr)).applyfunc(sp.cancel)
+
+
+bevel_b, bevel_k = common_form(bevel_inertia, bevel_torque)
+epi_b, epi_k = common_form(epi_inertia, epi_torque)
+check("3.32", printed_acceleration, bevel_b * u - bevel_k * T_fr)
+check("3.32", corrected_epi, epi_b * u - epi_k * T_fr)
+for b, k in ((bevel_b, bevel_k), (epi_b, epi_k)):
+    check("3.32", [k[0, 1], b[0, 0], b[1, 0]], [k[1, 0], k[0, 0], k[1, 0]])
+bevel_c, epi_c = S[1:3, :].subs(r0, r_c / i_d), S_epi[1:3, :]
+check("3.33", [w_di / i_d + r3 / r1 * w_3b, w_di / i_d - r3 / r2 * w_3b], bevel_c * sp.Matrix([w_di, w_3b]))
+check("3.33", [w_di + r_p / r_r * w_3p, w_di - r_p / r_s * w_3p], epi_c * sp.Matrix([w_di, w_3p]))
+
+# %% [markdown]
+# ## Planetary gear set of a transmission, (3.47) to (3.50)
+# The epicyclic differential without friction and with all torques accelerating.
+
+# %%
+T_cp, T_rp, T_sp = sp.symbols("T_cp T_rp T_sp", real=True)
+renaming = {T_di: T_cp, T_do1: -T_rp, T_do2: -T_sp, T_dl: 0, T_dsl: 0}
+planetary_acceleration = epi_acceleration.subs(renaming)
+printed_w_cp = ((T_cp + T_rp + T_sp) * I_pt + (T_cp + T_rp) * I_s * r_p**2 / r_s**2 + (T_cp + T_sp) * I_r * r_p**2 / r_r**2
+                + T_rp * I_s * r_p**2 / (r_r * r_s) + T_sp * I_r * r_p**2 / (r_r * r_s)) / printed_D_epi
+printed_w_pp = (T_cp * (I_s * r_p / r_s - I_r * r_p / r_r) + T_rp * (I_c * r_p / r_r + I_s * r_p / r_s + I_s * r_p / r_r)
+                - T_sp * (I_c * r_p / r_s + I_r * r_p / r_s + I_r * r_p / r_r)) / printed_D_epi
+check("3.47", printed_w_cp, planetary_acceleration[0])
+check("3.48", printed_w_pp, planetary_acceleration[1])
+check("3.49", printed_D_epi, epi_inertia.det())
+check("3.50", [w_di + r_p / r_r * w_3p, w_di - r_p / r_s * w_3p], (S_epi * epi_state)[1:3, :])
+
+# %%
+summary()

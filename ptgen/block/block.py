@@ -1,0 +1,219 @@
+"""Blocks: the only thing that is emitted, and the one description that all evaluators share.
+
+A block is a list of assignments of scalar expressions and of calls of named kernels. It has three sections:
+
+``prepare``
+    what follows from the parameters alone; run at initialisation and whenever parameters change,
+``step``
+    from inputs and states to new states and outputs,
+``measure``
+    outputs that follow from the states alone; run at the end of every step, and after initialisation.
+
+Statements run in order and overwrite what they assign, in every evaluator alike. In expressions an element of
+an array is the symbol ``name[i]`` or ``name[i,j]``, see `element`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import Literal
+
+import sympy as sp
+
+__all__ = [
+    "Assign",
+    "Block",
+    "Call",
+    "Section",
+    "Signal",
+    "Statement",
+    "element",
+    "parse_element",
+    "zeros_of",
+]
+
+Section = Literal["prepare", "step", "measure"]
+
+
+@dataclass(frozen=True)
+class Signal:
+    """A named quantity of a block.
+
+    Attributes
+    ----------
+    name : str
+        A C identifier.
+    unit : str
+        SI unit; empty for numbers and for arrays of mixed units.
+    description : str
+        One line.
+    shape : tuple of int
+        Empty for a scalar, ``(n,)`` or ``(n, m)``.
+    value : float
+        Default of a parameter, initial value of a state.
+    entries : tuple of str
+        Names of the entries of an array, where they have any.
+    least : float or None
+        The value that a parameter must exceed (`least_allowed` false) or reach (true); None if any finite
+        value will do.
+    least_allowed : bool
+    """
+
+    name: str
+    unit: str
+    description: str
+    shape: tuple[int, ...] = ()
+    value: float = 0.0
+    entries: tuple[str, ...] = ()
+    least: float | None = None
+    least_allowed: bool = True
+
+    @property
+    def size(self) -> int:
+        """Number of scalars."""
+        size = 1
+        for length in self.shape:
+            size *= length
+        return size
+
+
+@dataclass(frozen=True)
+class Assign:
+    """``target = expression``; `target` is a scalar or an element; `source` names the equation."""
+
+    target: str
+    expression: sp.Expr
+    source: str = ""
+
+
+@dataclass(frozen=True)
+class Call:
+    """A call of a kernel: ``outputs = kernel(inputs)``; the kernels are listed in `ptgen.block.kernels`.
+
+    `numbers` are constant integers that the kernel takes besides, such as offsets.
+    """
+
+    kernel: str
+    outputs: tuple[str, ...]
+    inputs: tuple[str, ...]
+    source: str = ""
+    numbers: tuple[int, ...] = ()
+
+
+Statement = Assign | Call
+
+
+@dataclass(frozen=True)
+class Block:
+    """A named set of signals and statements; see the module.
+
+    Attributes
+    ----------
+    name, description : str
+    parameters, inputs, outputs, states : tuple of Signal
+    derived : tuple of Signal
+        What `prepare` computes.
+    arrays : tuple of Signal
+        Local arrays; local scalars need no declaration.
+    prepare, step, measure : tuple of Statement
+    faults : tuple of str
+        Names of the signals whose failure the state ``fault`` tells by its number, counted from 1; empty for
+        blocks without supervision.
+    """
+
+    name: str
+    description: str
+    parameters: tuple[Signal, ...]
+    inputs: tuple[Signal, ...]
+    outputs: tuple[Signal, ...]
+    states: tuple[Signal, ...]
+    derived: tuple[Signal, ...] = ()
+    arrays: tuple[Signal, ...] = ()
+    prepare: tuple[Statement, ...] = ()
+    step: tuple[Statement, ...] = ()
+    measure: tuple[Statement, ...] = ()
+    faults: tuple[str, ...] = ()
+    _index: dict[str, Signal] = field(default_factory=dict, init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        for signal in self.signals():
+            if signal.name in self._index:
+                raise ValueError(f"block {self.name}: the signal {signal.name} is declared twice")
+            self._index[signal.name] = signal
+        for section in ("prepare", "step", "measure"):
+            self._check_section(section)
+
+    def signals(self) -> Iterator[Signal]:
+        """Yield every declared signal."""
+        yield from self.parameters
+        yield from self.inputs
+        yield from self.outputs
+        yield from self.states
+        yield from self.derived
+        yield from self.arrays
+
+    def signal(self, name: str) -> Signal | None:
+        """Return the declared signal `name`, or None for a local scalar."""
+        return self._index.get(name)
+
+    def statements(self, section: str) -> tuple[Statement, ...]:
+        """Return the statements of `section`."""
+        return {"prepare": self.prepare, "step": self.step, "measure": self.measure}[section]
+
+    def locals(self, section: str) -> tuple[str, ...]:
+        """Return the local scalars of `section` in the order in which they are assigned."""
+        names: dict[str, None] = {}
+        for statement in self.statements(section):
+            targets = (statement.target,) if isinstance(statement, Assign) else statement.outputs
+            for target in targets:
+                base = parse_element(target)[0]
+                if base not in self._index:
+                    names[base] = None
+        return tuple(names)
+
+    def _check_section(self, section: str) -> None:
+        """Check that every name is declared, or assigned before it is used."""
+        known = set(self._index)
+        for statement in self.statements(section):
+            if isinstance(statement, Assign):
+                used = {parse_element(str(symbol))[0] for symbol in statement.expression.free_symbols}
+                targets = {parse_element(statement.target)[0]}
+            else:
+                used = {parse_element(name)[0] for name in statement.inputs}
+                targets = {parse_element(name)[0] for name in statement.outputs}
+            if missing := used - known:
+                raise ValueError(f"block {self.name}, {section}: {sorted(missing)} used before assignment")
+            known |= targets
+
+
+def element(name: str, *indices: int) -> sp.Symbol:
+    """Return the symbol of an element of an array.
+
+    Examples
+    --------
+    >>> element("x", 2)
+    x[2]
+    """
+    return sp.Symbol(f"{name}[{','.join(map(str, indices))}]", real=True)
+
+
+def parse_element(text: str) -> tuple[str, tuple[int, ...]]:
+    """Split ``name[i,j]`` into its name and indices.
+
+    Examples
+    --------
+    >>> parse_element("x[2]")
+    ('x', (2,))
+    >>> parse_element("torque")
+    ('torque', ())
+    """
+    if not text.endswith("]"):
+        return text, ()
+    base, indices = text[:-1].split("[")
+    return base, tuple(int(index) for index in indices.split(","))
+
+
+def zeros_of(name: str, shape: tuple[int, ...]) -> tuple[Call, ...]:
+    """Return the statement that sets all elements of an array to zero."""
+    return (Call("zero", (name,), ()),) if shape else ()

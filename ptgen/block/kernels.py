@@ -1,0 +1,110 @@
+"""The kernels: what blocks call besides scalar expressions. This is the one list of them.
+
+Each kernel is implemented here for arrays with leading batch axes, in `ptgen.block.casadi_evaluator` for
+CasADi, and in ``templates/`` for C. The tests compare the three.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ptgen.friction.box import solve_box
+
+__all__ = ["KERNELS", "TAYLOR_DEGREE"]
+
+Array = NDArray[np.float64]
+
+TAYLOR_DEGREE = 18
+"""Degree of the exponential series; with arguments of norm 1 at most, the rest is below 1e-17."""
+
+
+def cholesky_solve(M: Array, right: Array) -> Array:
+    """Solve ``M X = right`` for symmetric positive definite M (n, n), right (n, m)."""
+    return np.linalg.solve(M, right)
+
+
+def insert(target: Array, source: Array, *numbers: int) -> Array:
+    """Copy columns of `source` into `target`.
+
+    `numbers` are the row and column in `target`, the first column in `source`, and how many columns.
+    """
+    row, column, first, count = numbers
+    result = target.copy()
+    result[..., row : row + source.shape[-2], column : column + count] = source[..., first : first + count]
+    return result
+
+
+def discretise(A: Array, scale: Array, duration: Array, *numbers: int) -> Array:
+    r"""Return the first n rows of :math:`\exp(\tilde A\,t)` with :math:`\tilde A` = A over zero rows.
+
+    A is (n, n + m): state matrix and input columns. ``scale`` (n + m,) balances the exponential: it is
+    taken of ``diag(scale)^-1 A~ diag(scale)``. `numbers` is the number of squarings. Taylor series with
+    scaling and squaring, source of the idea: design by exact discretisation (Van Loan).
+    """
+    (squarings,) = numbers
+    n, total = A.shape[-2], A.shape[-1]
+    batch = A.shape[:-2]
+    X = np.zeros((*batch, total, total))
+    X[..., :n, :] = A * scale[..., None, :] / scale[..., :n, None]
+    X = X * (np.asarray(duration)[..., None, None] / 2.0**squarings)
+    identity = np.broadcast_to(np.eye(total), X.shape)
+    E = identity + X / TAYLOR_DEGREE
+    for k in range(TAYLOR_DEGREE - 1, 0, -1):
+        E = identity + X @ E / k
+    for _ in range(squarings):
+        E = E @ E
+    return E[..., :n, :] * scale[..., :n, None] / scale[..., None, :]
+
+
+def multiply(A: Array, x: Array) -> Array:
+    """Return ``A x``; x may be longer than A has columns, the rest is not used."""
+    return np.einsum("...ij,...j->...i", A, x[..., : A.shape[-1]])
+
+
+def subtract_product(y: Array, x: Array, A: Array, T: Array) -> Array:
+    """Return y with its leading part replaced by ``x - A T``; x (n,), A (n, m), T (m,)."""
+    result = y.copy()
+    result[..., : x.shape[-1]] = x - np.einsum("...ij,...j->...i", A, T)
+    return result
+
+
+def delay(buffer: Array, value: Array, steps: Array) -> tuple[Array, Array, Array]:
+    """Push `value` into a delay line.
+
+    ``buffer[k]`` is the value of k + 1 steps ago. Returns the new buffer, the value of `steps` steps ago and
+    the one of a step before.
+    """
+    value = np.asarray(value, dtype=float)
+    history = np.concatenate([value[..., None], buffer], axis=-1)
+    index = np.asarray(steps).astype(int)
+    late = np.take_along_axis(history, np.broadcast_to(index, value.shape)[..., None], -1)[..., 0]
+    early = np.take_along_axis(history, np.broadcast_to(index + 1, value.shape)[..., None], -1)[..., 0]
+    return history[..., :-1], late, early
+
+
+def guard(value: Array, bound: Array, held: Array) -> tuple[Array, Array]:
+    """Return `value` if it is finite and at most `bound` in size, else `held`; and 1 or 0 for which."""
+    with np.errstate(invalid="ignore"):
+        sound = np.abs(value) <= bound  # false for NaN
+    return np.where(sound, value, held), np.where(sound, 1.0, 0.0)
+
+
+def _zero(target: Array) -> Array:
+    return np.zeros_like(target)
+
+
+KERNELS: dict[str, Callable[..., Any]] = {
+    "zero": _zero,
+    "insert": insert,
+    "cholesky_solve": cholesky_solve,
+    "discretise": discretise,
+    "multiply": multiply,
+    "subtract_product": subtract_product,
+    "delay": delay,
+    "guard": guard,
+    "solve_box": solve_box,
+}

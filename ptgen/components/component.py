@@ -1,0 +1,163 @@
+"""What every component is: a frozen record of checked SI values that yields elements."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Annotated, Any, ClassVar
+
+import sympy as sp
+from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, WithJsonSchema
+from pydantic.fields import FieldInfo
+
+from ptgen import units
+from ptgen.elements import Elements, Parameter
+
+__all__ = ["Component", "Flange", "QuantityField", "Record", "quantity"]
+
+
+@dataclass(frozen=True)
+class QuantityField:
+    """What is known of a field that holds a quantity."""
+
+    unit: str
+    description: str
+    positive: bool
+    signed: bool
+
+
+def quantity(
+    unit: str, description: str, *, positive: bool = True, signed: bool = False, above: float | None = None
+) -> Any:
+    """Return the type of a field that holds a quantity.
+
+    Parameters
+    ----------
+    unit : str
+        SI unit in which the value is held; empty for a plain number.
+    description : str
+        What it is, one line.
+    positive : bool
+        Whether the value must be greater than zero (default) or may be zero too.
+    signed : bool
+        Whether negative values are allowed; zero still is not if `positive`.
+    above : float, optional
+        A bound that the value must exceed.
+    """
+    meta = QuantityField(unit, description, positive, signed)
+    wanted = units.wanted_units(unit)
+
+    def read(value: object) -> float:
+        return value if isinstance(value, _Si) else _Si(units.parse(value, unit))
+
+    def check(value: float) -> float:
+        shown = f"{value:g} {unit}".strip()
+        if positive and signed and value == 0:
+            raise ValueError(f"must not be 0 {unit}, got {shown}".replace("  ", " "))
+        if not signed and positive and value <= 0:
+            raise ValueError(f"must be > 0 {unit}, got {shown}".replace(" ,", ","))
+        if not signed and value < 0:
+            raise ValueError(f"must be >= 0 {unit}, got {shown}".replace(" ,", ","))
+        if above is not None and value <= above:
+            raise ValueError(f"must be > {above:g} {unit}, got {shown}".replace(" ,", ","))
+        return float(value)
+
+    schema: dict[str, Any] = {"description": f"{description} ({wanted})"}
+    if unit:
+        schema |= {"type": "string", "pattern": r"^\s*[-+]?[0-9._]+([eE][-+]?[0-9]+)?\s*\S.*$"}
+    else:
+        schema |= {"type": ["number", "string"]}
+    return Annotated[float, BeforeValidator(read), AfterValidator(check), WithJsonSchema(schema), meta]
+
+
+class _Si(float):
+    """A number that is already in SI units; keeps a value from being parsed twice."""
+
+
+class Record(BaseModel):
+    """A frozen part of a test bed file; unknown keys are problems."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid", use_attribute_docstrings=True)
+
+
+def _quantity_of(info: FieldInfo) -> QuantityField | None:
+    for meta in info.metadata:
+        if isinstance(meta, QuantityField):
+            return meta
+    for argument in getattr(info.annotation, "__args__", ()):
+        for meta in getattr(argument, "__metadata__", ()):
+            if isinstance(meta, QuantityField):
+                return meta
+    return None
+
+
+@dataclass(frozen=True)
+class Flange:
+    """A connection point of a component.
+
+    `may_stay_open` tells whether a bed may leave it unconnected.
+    """
+
+    name: str
+    may_stay_open: bool = False
+
+
+class Component(Record, ABC):
+    """A part of a test bed.
+
+    A component knows nothing of other components: it has flanges, parameters and equations. Positive power
+    flows from its first flange to the others; a torque at a flange is positive when it drives the neighbour
+    on the right of the connection.
+    """
+
+    type_name: ClassVar[str]
+    summary: ClassVar[str]
+    flanges: ClassVar[tuple[Flange, ...]]
+    is_machine: ClassVar[bool] = False
+    faces_machine: ClassVar[bool] = False
+    """Whether the first flange is the one that faces the nearest machine, whatever the order of the chain."""
+
+    @classmethod
+    def flange_names(cls) -> tuple[str, ...]:
+        """Return the names of the flanges, in order."""
+        return tuple(flange.name for flange in cls.flanges)
+
+    @classmethod
+    def place_names(cls) -> tuple[str, ...]:
+        """Return the names of the sums of flange torques that the component offers, such as ``outputs``."""
+        return ()
+
+    def parameters(self, name: str) -> tuple[Parameter, ...]:
+        """Return the parameters of the component called `name`, sub-tables included."""
+        return tuple(_parameters(self, name))
+
+    def symbol(self, name: str, *path: str) -> sp.Symbol:
+        """Return the symbol of the parameter at `path` of the component called `name`."""
+        wanted = "_".join((name, *path))
+        for parameter in _parameters(self, name):
+            if parameter.symbol.name == wanted:
+                return parameter.symbol
+        raise KeyError(wanted)
+
+    @abstractmethod
+    def elements(self, name: str) -> Elements:
+        """Return the elements of the component called `name`."""
+
+
+def _parameters(record: Record, prefix: str) -> Iterator[Parameter]:
+    for field_name, info in type(record).model_fields.items():
+        value = getattr(record, field_name)
+        if isinstance(value, Record):
+            yield from _parameters(value, f"{prefix}_{field_name}")
+        meta = _quantity_of(info)
+        if meta is not None and value is not None:
+            assumptions = (
+                {"real": True}
+                if meta.signed
+                else {"positive": True}
+                if meta.positive
+                else {"nonnegative": True}
+            )
+            symbol = sp.Symbol(f"{prefix}_{field_name}", **assumptions)
+            yield Parameter(symbol, float(value), meta.unit, meta.description, meta.positive, meta.signed)

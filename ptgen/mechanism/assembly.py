@@ -1,0 +1,185 @@
+"""From a mechanism to its minimal model: coordinates, static condensation, twists, signals.
+
+1. ``v = S z``: coordinates are chosen greedily from an ordered list of candidate velocities, and ``S`` follows
+   by exact elimination of all constraints.
+2. Velocities without inertia are condensed statically: with ``Psi = [I; -K_mm^-1 K_mk]`` stiffness becomes
+   ``Psi' K Psi`` and damping ``Psi' D Psi``. Equivalent shafts (3.6), (3.7), (B.25), (B.27), the equivalent
+   stiffness (5.2), (5.10) and the torque split (5.1) are all this one rule.
+3. Twist states are a maximal independent set of spring twists.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import sympy as sp
+
+from ptgen.elements import Row, Spring
+from ptgen.errors import ModelError, Problem
+from ptgen.mechanism import exact
+from ptgen.mechanism.coordinates import Coordinates, First, choose_coordinates, with_exact_loops
+from ptgen.mechanism.mechanism import Mechanism
+from ptgen.mechanism.model import LinearForm, Model
+from ptgen.mechanism.signals import SignalForms
+
+__all__ = ["assemble"]
+
+
+def assemble(mechanism: Mechanism, first: First = "frictions") -> Model:
+    """Derive the minimal equations of motion.
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+        The elements of the bed.
+    first : {"frictions", "machines"}
+        Which velocities become coordinates first: those of the friction elements (the friction-state transform
+        of source Section 4.2, for simulation), or those of the machines (for control).
+
+    Raises
+    ------
+    ModelError
+        If a velocity has neither inertia nor stiffness, or a friction element acts where there is no inertia.
+    """
+    mechanism, fixed = with_exact_loops(mechanism)
+    coordinates = choose_coordinates(mechanism, first)
+    condensed = _condense(mechanism, coordinates, first)
+    return _model(mechanism, condensed, fixed)
+
+
+@dataclass(frozen=True)
+class _Condensed:
+    """Everything over the coordinates that carry inertia.
+
+    `follow` maps them to all velocities, `offset` gives the displacement of all velocities per unit of friction
+    torque that the condensed part takes statically.
+    """
+
+    names: tuple[str, ...]
+    follow: sp.Matrix
+    offset: sp.Matrix
+
+
+def _condense(mechanism: Mechanism, coordinates: Coordinates, first: First) -> _Condensed:
+    velocities = mechanism.velocities
+    kept, S = coordinates.with_inertia, coordinates.S
+    if kept == len(coordinates.names):
+        return _Condensed(coordinates.names, S, sp.zeros(len(velocities), len(mechanism.frictions)))
+    springs = (
+        exact.stack([exact.row_vector(s.row, velocities) for s in mechanism.springs], len(velocities)) * S
+    )
+    frictions = (
+        exact.stack([exact.row_vector(f.row, velocities) for f in mechanism.frictions], len(velocities)) * S
+    )
+    if first == "frictions" and any(entry != 0 for entry in frictions[:, kept:]):
+        raise _friction_without_inertia(mechanism, frictions[:, kept:])
+    K = springs.T * sp.diag(*[spring.stiffness for spring in mechanism.springs]) * springs
+    try:
+        solved = exact.solve(K[kept:, kept:], K[kept:, :kept].row_join(frictions[:, kept:].T))
+    except exact.SingularMatrixError:
+        loose = ", ".join(coordinates.names[kept:])
+        raise ModelError(
+            Problem(
+                loose,
+                "has neither inertia nor a shaft that holds it, so its motion is not determined",
+                "give one of its components an inertia, or connect it through a shaft",
+            )
+        ) from None
+    Psi = sp.eye(kept).col_join(-solved[:, :kept])
+    offset = sp.zeros(kept, frictions.shape[0]).col_join(-solved[:, kept:])
+    return _Condensed(
+        coordinates.names[:kept], (S * Psi).applyfunc(sp.cancel), (S * offset).applyfunc(sp.cancel)
+    )
+
+
+def _friction_without_inertia(mechanism: Mechanism, massless: sp.Matrix) -> ModelError:
+    names = [
+        friction.name
+        for index, friction in enumerate(mechanism.frictions)
+        if any(entry != 0 for entry in massless[index, :])
+    ]
+    return ModelError(
+        [
+            Problem(
+                name,
+                "is a friction element on a velocity without inertia, where sticking and slipping are not defined",
+                "give the component on one of its sides an inertia",
+            )
+            for name in names
+        ]
+    )
+
+
+def _twists(springs: Sequence[Spring], rows: sp.Matrix) -> tuple[tuple[str, ...], sp.Matrix, sp.Matrix]:
+    """Return names, rows ``E`` and the combination ``L`` with ``spring rows = L E``.
+
+    A row is scaled so that its first coefficient is 1 in size: then the twist of a condensed chain is that
+    between its ends, (5.5) of the source.
+    """
+    independent = exact.independent_rows(rows)
+    names, scaled = [], []
+    for index in independent:
+        row = rows[index, :]
+        leading = next(entry for entry in row if entry != 0)
+        factor = sp.Integer(1) if leading.is_Integer else sp.cancel(1 / leading)
+        scaled.append((row * factor).applyfunc(sp.cancel))
+        names.append(springs[index].name)
+    E = exact.stack(scaled, rows.shape[1])
+    L = exact.row_combination(rows, E).applyfunc(sp.cancel) if independent else sp.zeros(rows.shape[0], 0)
+    return tuple(names), E, L
+
+
+def _model(mechanism: Mechanism, condensed: _Condensed, fixed: tuple[sp.Symbol, ...]) -> Model:
+    velocities, follow = mechanism.velocities, condensed.follow
+    n_z, n_u = len(condensed.names), len(mechanism.torques)
+
+    def rows(elements: Sequence[Row]) -> sp.Matrix:
+        return (
+            exact.stack([exact.row_vector(row, velocities) for row in elements], len(velocities)) * follow
+        ).applyfunc(sp.cancel)
+
+    body_rows = rows([{body.velocity: sp.Integer(1)} for body in mechanism.bodies])
+    inertias = sp.diag(*[body.inertia for body in mechanism.bodies])
+    spring_rows = rows([spring.row for spring in mechanism.springs])
+    twists, E, L = _twists(mechanism.springs, spring_rows)
+    c = sp.diag(*[spring.stiffness for spring in mechanism.springs])
+    d = sp.diag(*[spring.damping for spring in mechanism.springs])
+    velocity_rows = {name: follow[index, :] for index, name in enumerate(velocities)}
+    n_e = len(twists)
+
+    spring_torques: dict[str, LinearForm] = {}
+    for index, spring in enumerate(mechanism.springs):
+        twist = L[index, :]
+        offset = exact.row_vector(spring.row, velocities) * condensed.offset
+        spring_torques[spring.name] = LinearForm(
+            z=(spring.damping * twist * E).applyfunc(sp.cancel) if n_e else sp.zeros(1, n_z),
+            e=(spring.stiffness * twist).applyfunc(sp.cancel),
+            u=sp.zeros(1, n_u),
+            f=(spring.stiffness * offset).applyfunc(sp.cancel),
+            a=sp.zeros(1, n_z),
+        )
+
+    return Model(
+        name=mechanism.name,
+        coordinates=condensed.names,
+        velocity_rows=velocity_rows,
+        mass=(body_rows.T * inertias * body_rows).applyfunc(sp.cancel),
+        twists=twists,
+        twist_rows=E,
+        stiffness=(L.T * c * L).applyfunc(sp.cancel),
+        damping=(L.T * d * L).applyfunc(sp.cancel),
+        inputs=mechanism.torques,
+        input_rows=rows([torque.row for torque in mechanism.torques]),
+        frictions=mechanism.frictions,
+        friction_rows=rows([friction.row for friction in mechanism.frictions]),
+        sensors=mechanism.sensors,
+        signals=SignalForms(mechanism, velocity_rows, spring_torques, n_e).all(),
+        parameters=mechanism.parameters,
+        body_rows={body.velocity: body_rows[index, :] for index, body in enumerate(mechanism.bodies)},
+        body_inertias={body.velocity: body.inertia for body in mechanism.bodies},
+        spring_rows={spring.name: L[index, :] for index, spring in enumerate(mechanism.springs)},
+        spring_stiffness={spring.name: spring.stiffness for spring in mechanism.springs},
+        spring_damping={spring.name: spring.damping for spring in mechanism.springs},
+        fixed=fixed,
+    )

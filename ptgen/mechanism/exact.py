@@ -1,0 +1,110 @@
+"""Exact elimination over the field of rational functions of the parameters.
+
+All symbolic linear algebra of the mechanics goes through here. It uses `DomainMatrix`, whose entries are kept
+in canonical form at every step; generic symbolic matrices would swell and be a hundred times slower.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import sympy as sp
+from sympy.polys.matrices import DomainMatrix
+
+__all__ = [
+    "SingularMatrixError",
+    "independent_rows",
+    "preferred_solution",
+    "rank",
+    "row_combination",
+    "row_vector",
+    "solve",
+    "stack",
+]
+
+
+class SingularMatrixError(ValueError):
+    """A matrix that must be regular is singular for every value of its parameters."""
+
+
+def _domain(matrix: sp.Matrix) -> DomainMatrix:
+    return DomainMatrix.from_Matrix(matrix).to_field().to_sparse()
+
+
+def rank(matrix: sp.Matrix) -> int:
+    """Return the generic rank of `matrix`."""
+    if 0 in matrix.shape:
+        return 0
+    return int(_domain(matrix).rank())
+
+
+def independent_rows(matrix: sp.Matrix) -> tuple[int, ...]:
+    """Return the indices of a maximal independent set of rows, earlier rows preferred."""
+    if 0 in matrix.shape:
+        return ()
+    _, pivots = _domain(matrix.T).rref()
+    return tuple(int(pivot) for pivot in pivots)
+
+
+def solve(matrix: sp.Matrix, right: sp.Matrix) -> sp.Matrix:
+    """Solve ``matrix X = right`` for square `matrix`.
+
+    Raises
+    ------
+    SingularMatrixError
+        If `matrix` is singular.
+
+    Examples
+    --------
+    >>> a, b = sp.symbols("a b")
+    >>> solve(sp.Matrix([[a, b], [0, a]]), sp.Matrix([[b], [a]]))
+    Matrix([
+    [0],
+    [1]])
+    """
+    size = matrix.shape[0]
+    if 0 in right.shape or size == 0:
+        return sp.zeros(size, right.shape[1])
+    reduced, pivots = _domain(matrix.row_join(right)).rref()
+    if tuple(pivots[:size]) != tuple(range(size)):
+        raise SingularMatrixError("matrix is singular")
+    return reduced.to_Matrix()[:size, size:]
+
+
+def row_combination(rows: sp.Matrix, basis: sp.Matrix) -> sp.Matrix:
+    """Return ``L`` with ``rows = L basis``; the rows of `basis` are independent and span those of `rows`."""
+    if basis.shape[0] == 0:
+        return sp.zeros(rows.shape[0], 0)
+    chosen = list(_domain(basis).rref()[1])
+    return solve(basis[:, chosen].T, rows[:, chosen].T).T
+
+
+def preferred_solution(matrix: sp.Matrix, right: sp.Matrix) -> sp.Matrix | None:
+    """Solve ``matrix x = right`` with as many zeros as possible at the end of ``x``.
+
+    The columns of `matrix` stand in the order of preference; columns that are not needed get zero.
+
+    Returns
+    -------
+    Matrix (n, 1) or None
+        None if there is no solution.
+    """
+    columns = matrix.shape[1]
+    reduced, pivots = _domain(matrix.row_join(right)).rref()
+    if columns in pivots:
+        return None
+    entries = reduced.to_Matrix()
+    solution = sp.zeros(columns, 1)
+    for index, pivot in enumerate(pivots):
+        solution[pivot, 0] = entries[index, columns]
+    return solution
+
+
+def row_vector(row: Mapping[str, sp.Expr], names: Sequence[str]) -> sp.Matrix:
+    """Return the row ``{name: coefficient}`` as a matrix (1, n) over `names`."""
+    return sp.Matrix([[row.get(name, sp.Integer(0)) for name in names]])
+
+
+def stack(rows: Sequence[sp.Matrix], width: int) -> sp.Matrix:
+    """Stack row vectors of length `width`, possibly none."""
+    return sp.Matrix.vstack(sp.zeros(0, width), *rows)

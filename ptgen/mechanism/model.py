@@ -1,0 +1,237 @@
+r"""Minimal equations of motion of a bed.
+
+.. math::
+    M \dot z = B' u - E'(C e + D E z) - G'(T + \mathrm{diag}(k_v) G z), \qquad \dot e = E z
+
+with velocities ``z``, twists ``e``, air-gap torques ``u`` and friction torques ``T``. ``M``, ``C`` and ``D``
+are symmetric; friction acts through the transpose of the rows that give its velocities, so it is dissipative
+by construction (source (4.22)-(4.25)).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+import sympy as sp
+from numpy.typing import NDArray
+
+from ptgen.elements import Friction, Parameter, Sensor, Torque
+from ptgen.mechanism import exact
+
+__all__ = ["LinearForm", "Model", "NumericModel"]
+
+
+@dataclass(frozen=True)
+class LinearForm:
+    """A signal as a linear function of the model's variables.
+
+    ``z . velocities + e . twists + u . inputs + f . friction torques + a . accelerations``; each part is a row.
+    """
+
+    z: sp.Matrix
+    e: sp.Matrix
+    u: sp.Matrix
+    f: sp.Matrix
+    a: sp.Matrix
+
+    def __add__(self, other: LinearForm) -> LinearForm:
+        return LinearForm(
+            self.z + other.z, self.e + other.e, self.u + other.u, self.f + other.f, self.a + other.a
+        )
+
+    def scaled(self, factor: sp.Expr | int) -> LinearForm:
+        """Return the form times `factor`."""
+        return LinearForm(*(part * factor for part in (self.z, self.e, self.u, self.f, self.a)))
+
+    @property
+    def needs_acceleration(self) -> bool:
+        """Whether the signal depends on accelerations."""
+        return any(entry != 0 for entry in self.a)
+
+
+@dataclass(frozen=True)
+class Model:
+    """Symbolic equations of motion; see the module for the equation.
+
+    Attributes
+    ----------
+    name : str
+        Name of the bed.
+    coordinates : tuple of str (n_z)
+        Names of the independent velocities.
+    velocity_rows : mapping of str to Matrix (1, n_z)
+        Every velocity of the bed in the independent ones.
+    mass : Matrix (n_z, n_z)
+    twists : tuple of str (n_e)
+    twist_rows : Matrix (n_e, n_z)
+        ``E``.
+    stiffness, damping : Matrix (n_e, n_e)
+        ``C`` (N m/rad) and ``D`` (N m s/rad).
+    inputs : tuple of Torque (n_u)
+    input_rows : Matrix (n_u, n_z)
+        ``B``.
+    frictions : tuple of Friction (n_f)
+    friction_rows : Matrix (n_f, n_z)
+        ``G``.
+    sensors : tuple of Sensor
+    signals : mapping of str to LinearForm
+        Every sensor and every place where a torque is defined.
+    parameters : tuple of Parameter
+    body_rows : mapping of str to Matrix (1, n_z)
+        Rows of the velocities that carry inertia.
+    body_inertias : mapping of str to Expr
+        Inertia on these velocities (kg m^2).
+    spring_rows : mapping of str to Matrix (1, n_e)
+        Each spring's twist in the twist states.
+    spring_stiffness, spring_damping : mapping of str to Expr
+        Each spring's own parameters.
+    fixed : tuple of Symbol
+        Parameters that the model holds at their values: the ratios of rigid loops, which must agree exactly.
+    """
+
+    name: str
+    coordinates: tuple[str, ...]
+    velocity_rows: Mapping[str, sp.Matrix]
+    mass: sp.Matrix
+    twists: tuple[str, ...]
+    twist_rows: sp.Matrix
+    stiffness: sp.Matrix
+    damping: sp.Matrix
+    inputs: tuple[Torque, ...]
+    input_rows: sp.Matrix
+    frictions: tuple[Friction, ...]
+    friction_rows: sp.Matrix
+    sensors: tuple[Sensor, ...]
+    signals: Mapping[str, LinearForm]
+    parameters: tuple[Parameter, ...]
+    body_rows: Mapping[str, sp.Matrix]
+    body_inertias: Mapping[str, sp.Expr]
+    spring_rows: Mapping[str, sp.Matrix]
+    spring_stiffness: Mapping[str, sp.Expr]
+    spring_damping: Mapping[str, sp.Expr]
+    fixed: tuple[sp.Symbol, ...] = ()
+
+    @property
+    def order(self) -> int:
+        """Number of states: velocities and twists."""
+        return len(self.coordinates) + len(self.twists)
+
+    @property
+    def states(self) -> tuple[str, ...]:
+        """Names of the states, velocities first."""
+        return self.coordinates + tuple(f"twist {name}" for name in self.twists)
+
+    @property
+    def values(self) -> dict[sp.Symbol, float]:
+        """Value of every parameter, by symbol."""
+        return {parameter.symbol: parameter.value for parameter in self.parameters}
+
+    @property
+    def viscous(self) -> sp.Matrix:
+        """Viscous friction coefficients as a diagonal matrix (n_f, n_f)."""
+        return (
+            sp.diag(*[friction.viscous for friction in self.frictions]) if self.frictions else sp.zeros(0, 0)
+        )
+
+    def shape_rows(self) -> dict[str, sp.Matrix]:
+        """Return the rows of the velocities that show a mode's shape: all that carry inertia, and rotors' neighbours.
+
+        A connected flange has the velocity of its neighbour; each velocity is listed once.
+        """
+        rows: dict[str, sp.Matrix] = {}
+        for name, row in (*self.body_rows.items(), *self.velocity_rows.items()):
+            if row not in rows.values() and any(entry != 0 for entry in row):
+                rows[name] = row
+        return rows
+
+    def forces(self) -> LinearForm:
+        """Return the generalised torques on the coordinates, ``M dz/dt``; its rows are (n_z, .) matrices."""
+        E, G, B = self.twist_rows, self.friction_rows, self.input_rows
+        return LinearForm(
+            z=-E.T * self.damping * E - G.T * self.viscous * G,
+            e=-E.T * self.stiffness,
+            u=B.T,
+            f=-G.T,
+            a=sp.zeros(len(self.coordinates), len(self.coordinates)),
+        )
+
+    def accelerations(self) -> LinearForm:
+        """Return ``dz/dt`` as matrices over (z, e, u, f), by exact elimination; meant for small models."""
+        forces = self.forces()
+        widths = [part.shape[1] for part in (forces.z, forces.e, forces.u, forces.f)]
+        joined = sp.Matrix.hstack(forces.z, forces.e, forces.u, forces.f)
+        solved = exact.solve(self.mass, joined)
+        ends = np.cumsum([0, *widths])
+        parts = [solved[:, int(start) : int(end)] for start, end in zip(ends[:-1], ends[1:], strict=True)]
+        return LinearForm(*parts, a=sp.zeros(*self.mass.shape))
+
+    def without_acceleration(self, form: LinearForm) -> LinearForm:
+        """Return `form` with the accelerations replaced by the equations of motion."""
+        if not form.needs_acceleration:
+            return form
+        rates = self.accelerations()
+        parts = [
+            (mine + form.a * rate).applyfunc(sp.cancel)
+            for mine, rate in (
+                (form.z, rates.z),
+                (form.e, rates.e),
+                (form.u, rates.u),
+                (form.f, rates.f),
+            )
+        ]
+        return LinearForm(*parts, a=sp.zeros(1, len(self.coordinates)))
+
+    def numeric(self, values: Mapping[sp.Symbol, float] | None = None) -> NumericModel:
+        """Evaluate all matrices; `values` override the parameters of the bed."""
+        table = {**self.values, **(values or {})}
+
+        def evaluate(matrix: sp.Matrix) -> NDArray[np.float64]:
+            return evaluate_matrix(matrix, table)
+
+        return NumericModel(
+            mass=evaluate(self.mass),
+            stiffness=evaluate(self.stiffness),
+            damping=evaluate(self.damping),
+            twist_rows=evaluate(self.twist_rows),
+            friction_rows=evaluate(self.friction_rows),
+            input_rows=evaluate(self.input_rows),
+            viscous=evaluate(self.viscous),
+        )
+
+
+@dataclass(frozen=True)
+class NumericModel:
+    """The matrices of a `Model` as arrays, same names and shapes."""
+
+    mass: NDArray[np.float64]
+    stiffness: NDArray[np.float64]
+    damping: NDArray[np.float64]
+    twist_rows: NDArray[np.float64]
+    friction_rows: NDArray[np.float64]
+    input_rows: NDArray[np.float64]
+    viscous: NDArray[np.float64]
+
+    def state_matrices(self) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+        """Return ``A (n, n)``, ``B (n, n_u)`` and ``F (n, n_f)`` of ``dx/dt = A x + B u + F T``, x = (z, e)."""
+        E, G = self.twist_rows, self.friction_rows
+        n_z, n_e = self.mass.shape[0], E.shape[0]
+        joined = np.hstack([-E.T @ self.damping @ E - G.T @ self.viscous @ G, -E.T @ self.stiffness])
+        A = np.zeros((n_z + n_e, n_z + n_e))
+        A[:n_z] = np.linalg.solve(self.mass, joined)
+        A[n_z:, :n_z] = E
+        B = np.zeros((n_z + n_e, self.input_rows.shape[0]))
+        B[:n_z] = np.linalg.solve(self.mass, self.input_rows.T)
+        F = np.zeros((n_z + n_e, G.shape[0]))
+        F[:n_z] = np.linalg.solve(self.mass, -G.T)
+        return A, B, F
+
+
+def evaluate_matrix(matrix: sp.Matrix, values: Mapping[sp.Symbol, float]) -> NDArray[np.float64]:
+    """Evaluate a matrix of expressions at `values`."""
+    result = np.zeros(matrix.shape)
+    for (row, column), entry in sp.SparseMatrix(matrix).todok().items():
+        free = sorted(entry.free_symbols, key=lambda symbol: symbol.name)
+        result[row, column] = float(sp.lambdify(free, entry, "math")(*(values[symbol] for symbol in free)))
+    return result

@@ -1,0 +1,174 @@
+# mypy: disable-error-code="valid-type"
+# (the type of a quantity field is the result of a call, which is what pydantic reads)
+"""Scenario files: what the references of a bed do over time."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from os import PathLike
+from pathlib import Path
+from typing import Literal
+
+from ptgen.components.component import Record, quantity
+from ptgen.errors import Problem, TestbedError, nearest
+from ptgen.testbed.problems import dotted, shown, validated
+from ptgen.testbed.profile import Profile, read_profile
+from ptgen.testbed.testbed import Testbed
+from ptgen.testbed.text import read_toml
+
+__all__ = ["Scenario", "load_scenario"]
+
+_UNITS = {"torque": "N m", "speed": "rad/s"}
+
+
+@dataclass(frozen=True)
+class Scenario:
+    """A checked scenario.
+
+    Attributes
+    ----------
+    name : str
+        The file's name without its suffix.
+    file : str
+        The file that it was read from.
+    digest : str
+        SHA-256 of the bytes of that file, in hexadecimal; measurement files are not part of it.
+    duration : float
+        How long it takes (s), a multiple of the sampling time.
+    record_every : float
+        Interval between two recorded instants (s), a multiple of the sampling time.
+    references : mapping of str to Profile
+        ``"torque.M1"`` (N m) or ``"speed.M2"`` (rad/s) -> its course; one for each machine of the bed.
+    title, description : str
+        What it shows.
+    """
+
+    name: str
+    file: str
+    digest: str
+    duration: float
+    record_every: float
+    references: Mapping[str, Profile]
+    title: str = ""
+    description: str = ""
+
+
+class ScenarioSection(Record):
+    """Section ``[scenario]``."""
+
+    title: str = ""
+    description: str = ""
+    duration: quantity("s", "how long the scenario takes")
+    record_every: quantity("s", "interval between two recorded instants")
+
+
+def load_scenario(path: str | PathLike[str], testbed: Testbed) -> Scenario:
+    """Read and check a scenario for a test bed.
+
+    Parameters
+    ----------
+    path : path-like
+        A TOML file; files that it names are looked for beside it.
+    testbed : Testbed
+        The bed that it is for.
+
+    Raises
+    ------
+    TestbedError
+        With every problem of the file.
+    """
+    document = read_toml(path, "scenario file")
+    tables = document.tables
+    known = ("scenario", "references")
+    problems = [
+        Problem(dotted(key), "is an unknown section", nearest(key, known))
+        for key in tables
+        if key not in known
+    ]
+    if "scenario" not in tables:
+        remedy = 'add [scenario] with duration = "10 s" and record_every = "1 ms"'
+        problems.append(Problem("scenario", "is missing", remedy))
+        section = None
+    else:
+        section, found = validated(ScenarioSection, tables["scenario"], "scenario")
+        problems += found
+    if section is not None:
+        problems += _grid(section, testbed.sample_time)
+    references, found = _references(tables.get("references", {}), testbed, Path(document.file).parent)
+    problems += found
+    if problems or section is None:
+        raise TestbedError(problems, document.file)
+    return Scenario(
+        name=Path(document.file).stem,
+        file=document.file,
+        digest=document.digest,
+        duration=section.duration,
+        record_every=section.record_every,
+        references=references,
+        title=section.title,
+        description=section.description,
+    )
+
+
+def _grid(section: ScenarioSection, sample_time: float) -> list[Problem]:
+    """Check that the times are multiples of the sampling time."""
+    problems: list[Problem] = []
+    for key in ("duration", "record_every"):
+        value = getattr(section, key)
+        steps = value / sample_time
+        if steps > 1e15:
+            problems.append(Problem(dotted("scenario", key), f"is too long, {value:g} s", "shorten it"))
+        elif round(steps) < 1 or abs(steps - round(steps)) > 1e-6 * max(1.0, 1e-6 * steps):
+            what = f"must be a multiple of the sampling time, {sample_time:g} s, got {value:g} s"
+            near = max(1, round(steps)) * sample_time
+            problems.append(Problem(dotted("scenario", key), what, f'write e.g. "{near:.10g} s"'))
+    if not problems and section.record_every > section.duration:
+        what = f"must not exceed the duration, {section.duration:g} s, got {section.record_every:g} s"
+        problems.append(Problem("scenario.record_every", what, "record more often"))
+    return problems
+
+
+def _references(table: object, testbed: Testbed, folder: Path) -> tuple[dict[str, Profile], list[Problem]]:
+    """Read ``[references]``; a machine without an entry gets a reference of zero."""
+    wanted: dict[str, tuple[Literal["torque", "speed"], str]] = {}
+    for machine in testbed.machines:
+        kind: Literal["torque", "speed"] = "torque" if machine in testbed.roles.torque else "speed"
+        wanted[f"{kind}.{machine}"] = (kind, machine)
+    references = {key: Profile((0.0,), (0.0,), "lines") for key in wanted}
+    if not isinstance(table, dict):
+        remedy = 'write [references] with torque.M1 = { time = ["0 s"], value = ["0 N m"] }'
+        return references, [Problem("references", f"must be a table, got {shown(table)}", remedy)]
+    problems: list[Problem] = []
+    for kind_name, machines in table.items():
+        if kind_name not in _UNITS:
+            where = dotted("references", kind_name)
+            problems.append(Problem(where, "is an unknown kind of reference", nearest(kind_name, _UNITS)))
+            continue
+        if not isinstance(machines, dict):
+            where = dotted("references", kind_name)
+            what = f"must be a table of machines, got {shown(machines)}"
+            problems.append(Problem(where, what, f"write {kind_name}.M1 = {{ time = [...], value = [...] }}"))
+            continue
+        for machine, entry in machines.items():
+            key = f"{kind_name}.{machine}"
+            if key not in wanted:
+                problems.append(_unwanted(kind_name, machine, testbed, list(wanted)))
+                continue
+            profile, found = read_profile(entry, _UNITS[kind_name], folder, "references", kind_name, machine)
+            problems += found
+            if profile is not None:
+                references[key] = profile
+    return references, problems
+
+
+def _unwanted(kind: str, machine: str, testbed: Testbed, wanted: list[str]) -> Problem:
+    where = dotted("references", kind, machine)
+    if machine in testbed.machines:
+        other = "torque" if kind == "speed" else "speed"
+        what = f'machine "{machine}" controls its {other} in the bed "{testbed.name}", not its {kind}'
+        if other == "torque":
+            what = f'machine "{machine}" controls a torque in the bed "{testbed.name}", not its speed'
+        return Problem(where, what, f"write {other}.{machine}, or change its role in [control] of the bed")
+    what = f'{shown(machine)} is no machine of the bed "{testbed.name}"'
+    return Problem(where, what, nearest(f"{kind}.{machine}", wanted))

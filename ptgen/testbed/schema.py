@@ -1,0 +1,98 @@
+# mypy: disable-error-code="valid-type"
+# (the type of a quantity field is the result of a call, which is what pydantic reads)
+"""The sections of a test bed file, and the JSON Schema that editors check it with."""
+
+from __future__ import annotations
+
+import functools
+import operator
+from typing import Annotated, Any
+
+from pydantic import ConfigDict, Field, create_model
+
+from ptgen.components.catalogue import CATALOGUE
+from ptgen.components.component import Record, quantity
+from ptgen.testbed.names import PATTERN
+from ptgen.testbed.problems import quantity_field
+from ptgen.testbed.testbed import ReductionSettings, Tuning
+
+__all__ = ["BedSection", "ControlSection", "json_schema"]
+
+
+class BedSection(Record):
+    """What the bed is called and how it is connected."""
+
+    name: Annotated[str, Field(json_schema_extra={"pattern": PATTERN})]
+    """A C identifier; the prefix of all emitted code."""
+    title: str = ""
+    """What the bed is called in reports; by default its name."""
+    sample_time: quantity("s", "sampling time of the controller")
+    connections: tuple[str, ...]
+    """Chains such as "M1 - flange1 - diff.input"; positive power flows from left to right."""
+    assumed: tuple[str, ...] = ()
+    """Keys of this file whose values are assumed rather than measured, such as "components.shaft1.damping"."""
+
+
+class ControlSection(Tuning):
+    """Which machine controls what, and how well."""
+
+    torque: dict[str, str] = Field(default_factory=dict)
+    """Machine = where its torque reference holds: a flange, "diff.outputs" (their sum), or a torque flange."""
+    speed: tuple[str, ...] = ()
+    """Machines that control their own speed."""
+
+
+def json_schema() -> dict[str, Any]:
+    """Return the JSON Schema (draft 2020-12) of test bed files.
+
+    Examples
+    --------
+    >>> sorted(json_schema()["properties"])
+    ['components', 'control', 'reduction', 'testbed']
+    """
+    component: Any = functools.reduce(operator.or_, CATALOGUE.values())
+    model: Any = create_model(
+        "ptgen test bed",
+        __config__=ConfigDict(extra="forbid"),
+        __doc__="A power train test bed: its components, their connections and what the machines control.",
+        testbed=(BedSection, ...),
+        components=(dict[str, Annotated[component, Field(discriminator="type")]], ...),
+        control=(ControlSection, ...),
+        reduction=(ReductionSettings, ReductionSettings()),
+    )
+    schema: dict[str, Any] = model.model_json_schema(by_alias=True)
+    components = schema["properties"]["components"]
+    components["patternProperties"] = {PATTERN: components.pop("additionalProperties")}
+    components |= {"additionalProperties": False, "minProperties": 1}
+    schema["properties"]["reduction"].pop("default", None)
+    _write_defaults(schema)
+    return {"$schema": "https://json-schema.org/draft/2020-12/schema", **schema}
+
+
+def _write_defaults(schema: dict[str, Any]) -> None:
+    """Write the defaults of quantities as they stand in a file, with their unit."""
+    pending: list[type[Record]] = [*CATALOGUE.values(), BedSection, ControlSection, ReductionSettings]
+    seen: set[type[Record]] = set()
+    while pending:
+        record = pending.pop()
+        if record in seen:
+            continue
+        seen.add(record)
+        pending += _subrecords(record)
+        properties = schema["$defs"][record.__name__]["properties"]
+        for name, entry in properties.items():
+            field = quantity_field(record, (name,))
+            default = entry.get("default")
+            if default is None:
+                entry.pop("default", None)
+            elif field is not None and field.unit and not isinstance(default, dict):
+                entry["default"] = f"{default:g} {field.unit}"
+
+
+def _subrecords(record: type[Record]) -> list[type[Record]]:
+    found: list[type[Record]] = []
+    for info in record.model_fields.values():
+        for part in (info.annotation, *getattr(info.annotation, "__args__", ())):
+            if isinstance(part, type) and issubclass(part, Record):
+                found.append(part)
+    return found

@@ -1,0 +1,146 @@
+# mypy: disable-error-code="valid-type"
+# (the type of a quantity field is the result of a call, which is what pydantic reads)
+"""What a test bed file says once it is checked: frozen, complete, in SI units."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from pydantic import Field, field_validator
+
+from ptgen.components.component import Component, Record, quantity
+
+__all__ = ["Connection", "ReductionSettings", "Roles", "Testbed", "Tuning"]
+
+
+@dataclass(frozen=True)
+class Connection:
+    """A rigid connection of two flanges; positive power flows from `left` to `right`.
+
+    Attributes
+    ----------
+    left, right : str
+        Flanges, such as ``"M1.shaft"`` and ``"flange1.machine"``.
+    """
+
+    left: str
+    right: str
+
+
+class Tuning(Record):
+    """The wishes that a controller is designed for: section ``[control]`` without the roles.
+
+    A bandwidth is written as ``"30 rad/s"`` or as ``"5 Hz"``.
+    """
+
+    speed_bandwidth: quantity("rad/s", "bandwidth of the speed control") = 30.0
+    torque_bandwidth: quantity("rad/s", "bandwidth of the torque control") = 20.0
+    damping_ratio: quantity("", "wanted damping ratio of the torque poles (5.81)") = 1.0
+    feedforward: quantity("", "share of the torque reference that is fed forward", positive=False) = 1.0
+    conventional_torque_bandwidth: (
+        quantity("rad/s", "bandwidth of the torque control in the conventional controller") | None
+    ) = None
+    fault_ramp: quantity("s", "time in which the torque is taken to zero after a fault") = 0.05
+    inertia_estimate: dict[str, quantity("kg m^2", "inertia used for the acceleration torque")] = Field(
+        default_factory=dict
+    )
+    """Inertias that the acceleration torque of a machine is computed with; by default they are derived."""
+    damping_reserve: quantity(
+        "", "share of torque_max that is reserved for active damping", positive=False
+    ) = 0.1
+
+    @field_validator("damping_reserve")
+    @classmethod
+    def _share(cls, value: float) -> float:
+        if value >= 1:
+            raise ValueError(f"must be below 1, got {value:g}; it is a share of torque_max")
+        return value
+
+
+class ReductionSettings(Record):
+    """How the model is reduced: section ``[reduction]``."""
+
+    inertia_share: quantity(
+        "", "an inertia below this share of its neighbours' is dropped", positive=False
+    ) = 0.05
+    stiffness_share: quantity(
+        "", "a shaft is rigidised when its compliance is below this share of its neighbours'", positive=False
+    ) = 0.02
+    rigid: tuple[str, ...] = ()
+    """Components that are made rigid in any case."""
+    keep: tuple[str, ...] = ()
+    """Components whose inertia and compliance are kept in any case."""
+    drop: tuple[str, ...] = ()
+    """Components whose inertia is dropped in any case."""
+
+
+@dataclass(frozen=True)
+class Roles:
+    """Which machine controls what.
+
+    Attributes
+    ----------
+    torque : mapping of str to str
+        Machine -> the place where its torque reference holds: a flange (``"diff.input"``), a sum of flanges
+        (``"diff.outputs"``), or a shaft or torque flange (``"flange1"``).
+    speed : tuple of str
+        The machines that control their own speed.
+    """
+
+    torque: Mapping[str, str]
+    speed: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Testbed:
+    """A checked test bed.
+
+    Attributes
+    ----------
+    name : str
+        The bed's name, a C identifier: the prefix of everything that is emitted.
+    title : str
+        What it is called in reports.
+    file : str
+        The file that it was read from.
+    digest : str
+        SHA-256 of the bytes of that file, in hexadecimal.
+    sample_time : float
+        Sampling time of the controller (s).
+    components : mapping of str to Component
+        In the order of the file.
+    connections : tuple of Connection
+        In the order of the chains.
+    orientation : mapping of str to int
+        +1 if the chains pass a two-flange component from its first to its second flange, -1 if the other way
+        round; +1 for all other components.
+    roles : Roles
+        Which machine controls what.
+    tuning : Tuning
+        What the controller is designed for.
+    reduction : ReductionSettings
+        How the model is reduced.
+    assumed : tuple of str
+        Keys of the file whose values are assumed rather than measured.
+    """
+
+    __test__ = False  # the name begins with Test, but it is no test case
+
+    name: str
+    title: str
+    file: str
+    digest: str
+    sample_time: float
+    components: Mapping[str, Component]
+    connections: tuple[Connection, ...]
+    orientation: Mapping[str, int]
+    roles: Roles
+    tuning: Tuning
+    reduction: ReductionSettings
+    assumed: tuple[str, ...] = ()
+
+    @property
+    def machines(self) -> tuple[str, ...]:
+        """The names of the machines, in the order of the file."""
+        return tuple(name for name, component in self.components.items() if component.is_machine)
