@@ -120,9 +120,7 @@ def parse(text: object, unit: str) -> float:
         raise QuantityError(f"must be a quantity in {wanted}, got {text!r}")
     if isinstance(text, (int, float)):
         if unit:
-            raise QuantityError(
-                f'must be a string with its unit ({wanted}), such as "{text} {unit}", got {text}'
-            )
+            raise QuantityError(f'must be a string with its unit ({wanted}), such as "{text} {unit}", got {text}')
         try:
             return _finite(float(text), text)
         except OverflowError:  # a whole number of more than 308 digits
@@ -141,9 +139,7 @@ def parse(text: object, unit: str) -> float:
         got = _unit(rest)
         target = _unit(unit)
         if unit == "rad/s" and got.dimensionality == _unit("1/s").dimensionality and "Hz" in rest:
-            return _finite(
-                float(_registry().Quantity(magnitude, got).to("1/s").magnitude) * 2 * math.pi, text
-            )
+            return _finite(float(_registry().Quantity(magnitude, got).to("1/s").magnitude) * 2 * math.pi, text)
         if got.dimensionality != target.dimensionality:
             raise QuantityError(f"must be in {wanted}, got {text!r}, which has another dimension")
         converted = float(_registry().Quantity(magnitude, got).to(target).magnitude)

@@ -68,6 +68,7 @@ class Signal:
     entries: tuple[str, ...] = ()
     least: float | None = None
     least_allowed: bool = True
+    most: float | None = None
 
     @property
     def size(self) -> int:
@@ -212,8 +213,3 @@ def parse_element(text: str) -> tuple[str, tuple[int, ...]]:
         return text, ()
     base, indices = text[:-1].split("[")
     return base, tuple(int(index) for index in indices.split(","))
-
-
-def zeros_of(name: str, shape: tuple[int, ...]) -> tuple[Call, ...]:
-    """Return the statement that sets all elements of an array to zero."""
-    return (Call("zero", (name,), ()),) if shape else ()

@@ -93,12 +93,13 @@ def guard(value: Array, bound: Array, held: Array) -> tuple[Array, Array]:
     return np.where(sound, value, held), np.where(sound, 1.0, 0.0)
 
 
-def _zero(target: Array) -> Array:
-    return np.zeros_like(target)
+def difference(A: Array, B: Array) -> Array:
+    """Return ``A - B``."""
+    return A - B
 
 
 KERNELS: dict[str, Callable[..., Any]] = {
-    "zero": _zero,
+    "difference": difference,
     "insert": insert,
     "cholesky_solve": cholesky_solve,
     "discretise": discretise,

@@ -17,11 +17,11 @@ Reference
 
 from __future__ import annotations
 
-from typing import ClassVar, Literal
+from typing import Annotated, ClassVar, Literal
 
 import sympy as sp
 
-from ptgen.components.component import Component, Flange, quantity
+from ptgen.components.component import Component, Flange, Quantity
 from ptgen.components.friction import LoadDependentFriction, differential_frictions
 from ptgen.elements import Body, Constraint, Elements, Place
 
@@ -36,17 +36,17 @@ class BevelDifferential(Component):
     flanges: ClassVar[tuple[Flange, ...]] = (Flange("input"), Flange("output1"), Flange("output2"))
 
     type: Literal["bevel_differential"]
-    ratio: quantity("", "ratio i_d = r_c/r_0 of drive gear speed to cage speed", signed=True)
-    radius_output1: quantity("m", "radius r_1 of the gear at output 1")
-    radius_output2: quantity("m", "radius r_2 of the gear at output 2")
-    radius_pinion: quantity("m", "radius r_3 of the bevel pinion")
-    inertia_drive: quantity("kg m^2", "moment of inertia I_0 of input shaft and drive gear")
-    inertia_cage: quantity(
-        "kg m^2", "moment of inertia I_c of cage and pinions about the axis of the outputs"
-    )
-    inertia_output1: quantity("kg m^2", "moment of inertia I_1 of output 1")
-    inertia_output2: quantity("kg m^2", "moment of inertia I_2 of output 2")
-    inertia_pinion: quantity("kg m^2", "moment of inertia I_3 of the pinion about its own axis")
+    ratio: Annotated[float, Quantity("", "ratio i_d = r_c/r_0 of drive gear speed to cage speed", signed=True)]
+    radius_output1: Annotated[float, Quantity("m", "radius r_1 of the gear at output 1")]
+    radius_output2: Annotated[float, Quantity("m", "radius r_2 of the gear at output 2")]
+    radius_pinion: Annotated[float, Quantity("m", "radius r_3 of the bevel pinion")]
+    inertia_drive: Annotated[float, Quantity("kg m^2", "moment of inertia I_0 of input shaft and drive gear")]
+    inertia_cage: Annotated[
+        float, Quantity("kg m^2", "moment of inertia I_c of cage and pinions about the axis of the outputs")
+    ]
+    inertia_output1: Annotated[float, Quantity("kg m^2", "moment of inertia I_1 of output 1")]
+    inertia_output2: Annotated[float, Quantity("kg m^2", "moment of inertia I_2 of output 2")]
+    inertia_pinion: Annotated[float, Quantity("kg m^2", "moment of inertia I_3 of the pinion about its own axis")]
     loss: LoadDependentFriction | None = None
     limited_slip: LoadDependentFriction | None = None
 

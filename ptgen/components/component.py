@@ -5,34 +5,24 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Annotated, Any, ClassVar
+from typing import Any, ClassVar
 
 import sympy as sp
-from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, WithJsonSchema
+from pydantic import BaseModel, ConfigDict, GetCoreSchemaHandler, GetJsonSchemaHandler
 from pydantic.fields import FieldInfo
+from pydantic_core import core_schema
 
 from ptgen import units
 from ptgen.elements import Elements, Parameter
 
-__all__ = ["Component", "Flange", "QuantityField", "Record", "quantity"]
+__all__ = ["Component", "Flange", "Quantity", "Record"]
 
 
 @dataclass(frozen=True)
-class QuantityField:
-    """What is known of a field that holds a quantity."""
+class Quantity:
+    """What is wanted of a field that holds a quantity; used as ``Annotated[float, Quantity(...)]``.
 
-    unit: str
-    description: str
-    positive: bool
-    signed: bool
-
-
-def quantity(
-    unit: str, description: str, *, positive: bool = True, signed: bool = False, above: float | None = None
-) -> Any:
-    """Return the type of a field that holds a quantity.
-
-    Parameters
+    Attributes
     ----------
     unit : str
         SI unit in which the value is held; empty for a plain number.
@@ -42,37 +32,35 @@ def quantity(
         Whether the value must be greater than zero (default) or may be zero too.
     signed : bool
         Whether negative values are allowed; zero still is not if `positive`.
-    above : float, optional
-        A bound that the value must exceed.
     """
-    meta = QuantityField(unit, description, positive, signed)
-    wanted = units.wanted_units(unit)
 
-    def read(value: object) -> float:
-        return value if isinstance(value, _Si) else _Si(units.parse(value, unit))
+    unit: str
+    description: str
+    positive: bool = True
+    signed: bool = False
 
-    def check(value: float) -> float:
-        shown = f"{value:g} {unit}".strip()
-        if positive and signed and value == 0:
-            raise ValueError(f"must not be 0 {unit}, got {shown}".replace("  ", " "))
-        if not signed and positive and value <= 0:
-            raise ValueError(f"must be > 0 {unit}, got {shown}".replace(" ,", ","))
-        if not signed and value < 0:
-            raise ValueError(f"must be >= 0 {unit}, got {shown}".replace(" ,", ","))
-        if above is not None and value <= above:
-            raise ValueError(f"must be > {above:g} {unit}, got {shown}".replace(" ,", ","))
-        return float(value)
+    def __get_pydantic_core_schema__(self, source: object, handler: GetCoreSchemaHandler) -> core_schema.CoreSchema:
+        return core_schema.no_info_plain_validator_function(self._read)
 
-    schema: dict[str, Any] = {"description": f"{description} ({wanted})"}
-    if unit:
-        schema |= {"type": "string", "pattern": r"^\s*[-+]?[0-9._]+([eE][-+]?[0-9]+)?\s*\S.*$"}
-    else:
-        schema |= {"type": ["number", "string"]}
-    return Annotated[float, BeforeValidator(read), AfterValidator(check), WithJsonSchema(schema), meta]
+    def __get_pydantic_json_schema__(
+        self, schema: core_schema.CoreSchema, handler: GetJsonSchemaHandler
+    ) -> dict[str, Any]:
+        described: dict[str, Any] = {"description": f"{self.description} ({units.wanted_units(self.unit)})"}
+        if not self.unit:
+            return described | {"type": ["number", "string"]}
+        pattern = r"^\s*[-+]?[0-9._]+([eE][-+]?[0-9]+)?(\s*[A-Za-z°%µμ(]|\s+1/).*$"
+        return described | {"type": "string", "pattern": pattern}
 
-
-class _Si(float):
-    """A number that is already in SI units; keeps a value from being parsed twice."""
+    def _read(self, text: object) -> float:
+        value = units.parse(text, self.unit)
+        shown = f"{value:g} {self.unit}".strip()
+        if self.signed:
+            if self.positive and value == 0:
+                raise ValueError(f"must not be 0, got {shown}")
+        elif value < 0 or (self.positive and value == 0):
+            bound = f"{'>' if self.positive else '>='} 0 {self.unit}".strip()
+            raise ValueError(f"must be {bound}, got {shown}")
+        return value
 
 
 class Record(BaseModel):
@@ -81,13 +69,13 @@ class Record(BaseModel):
     model_config = ConfigDict(frozen=True, extra="forbid", use_attribute_docstrings=True)
 
 
-def _quantity_of(info: FieldInfo) -> QuantityField | None:
+def _quantity_of(info: FieldInfo) -> Quantity | None:
     for meta in info.metadata:
-        if isinstance(meta, QuantityField):
+        if isinstance(meta, Quantity):
             return meta
     for argument in getattr(info.annotation, "__args__", ()):
         for meta in getattr(argument, "__metadata__", ()):
-            if isinstance(meta, QuantityField):
+            if isinstance(meta, Quantity):
                 return meta
     return None
 
@@ -153,11 +141,7 @@ def _parameters(record: Record, prefix: str) -> Iterator[Parameter]:
         meta = _quantity_of(info)
         if meta is not None and value is not None:
             assumptions = (
-                {"real": True}
-                if meta.signed
-                else {"positive": True}
-                if meta.positive
-                else {"nonnegative": True}
+                {"real": True} if meta.signed else {"positive": True} if meta.positive else {"nonnegative": True}
             )
             symbol = sp.Symbol(f"{prefix}_{field_name}", **assumptions)
             yield Parameter(symbol, float(value), meta.unit, meta.description, meta.positive, meta.signed)

@@ -19,11 +19,11 @@ Reference
 
 from __future__ import annotations
 
-from typing import ClassVar, Literal
+from typing import Annotated, ClassVar, Literal
 
 import sympy as sp
 
-from ptgen.components.component import Component, Flange, quantity
+from ptgen.components.component import Component, Flange, Quantity
 from ptgen.components.friction import LoadDependentFriction, differential_frictions
 from ptgen.elements import Body, Constraint, Elements, Place
 
@@ -38,10 +38,10 @@ class Differential(Component):
     flanges: ClassVar[tuple[Flange, ...]] = (Flange("input"), Flange("output1"), Flange("output2"))
 
     type: Literal["differential"]
-    ratio: quantity("", "ratio i_d of input speed to mean output speed", signed=True)
-    inertia: quantity("kg m^2", "moment of inertia I_di, referred to the input")
-    inertia_pinion: quantity("kg m^2", "moment of inertia I_3b of the relative motion of the outputs")
-    pinion_ratio: quantity("", "radius of the pinion over radius of the output gears, r_3/r_1") = 1.0
+    ratio: Annotated[float, Quantity("", "ratio i_d of input speed to mean output speed", signed=True)]
+    inertia: Annotated[float, Quantity("kg m^2", "moment of inertia I_di, referred to the input")]
+    inertia_pinion: Annotated[float, Quantity("kg m^2", "moment of inertia I_3b of the relative motion of the outputs")]
+    pinion_ratio: Annotated[float, Quantity("", "radius of the pinion over radius of the output gears, r_3/r_1")] = 1.0
     loss: LoadDependentFriction | None = None
     limited_slip: LoadDependentFriction | None = None
 
@@ -50,9 +50,7 @@ class Differential(Component):
         return ("outputs",)
 
     def elements(self, name: str) -> Elements:
-        input_, output1, output2, pinion = (
-            f"{name}.{part}" for part in ("input", "output1", "output2", "pinion")
-        )
+        input_, output1, output2, pinion = (f"{name}.{part}" for part in ("input", "output1", "output2", "pinion"))
         ratio, rho = self.symbol(name, "ratio"), self.symbol(name, "pinion_ratio")
         one = sp.Integer(1)
         return Elements(

@@ -17,12 +17,12 @@ Reference
 
 from __future__ import annotations
 
-from typing import ClassVar, Literal
+from typing import Annotated, ClassVar, Literal
 
 import sympy as sp
 from pydantic import model_validator
 
-from ptgen.components.component import Component, Flange, quantity
+from ptgen.components.component import Component, Flange, Quantity
 from ptgen.components.friction import LoadDependentFriction, differential_frictions
 from ptgen.elements import Body, Constraint, Elements, Place
 
@@ -37,13 +37,15 @@ class EpicyclicDifferential(Component):
     flanges: ClassVar[tuple[Flange, ...]] = (Flange("input"), Flange("output1"), Flange("output2"))
 
     type: Literal["epicyclic_differential"]
-    radius_ring: quantity("m", "radius r_r of the ring gear")
-    radius_sun: quantity("m", "radius r_s of the sun gear")
-    planets: quantity("", "number n_p of planets")
-    inertia_carrier: quantity("kg m^2", "moment of inertia I_c of carrier and planets about the main axis")
-    inertia_ring: quantity("kg m^2", "moment of inertia I_r of ring gear and output 1")
-    inertia_sun: quantity("kg m^2", "moment of inertia I_s of sun gear and output 2")
-    inertia_planet: quantity("kg m^2", "moment of inertia I_p of one planet about its own axis")
+    radius_ring: Annotated[float, Quantity("m", "radius r_r of the ring gear")]
+    radius_sun: Annotated[float, Quantity("m", "radius r_s of the sun gear")]
+    planets: Annotated[float, Quantity("", "number n_p of planets")]
+    inertia_carrier: Annotated[
+        float, Quantity("kg m^2", "moment of inertia I_c of carrier and planets about the main axis")
+    ]
+    inertia_ring: Annotated[float, Quantity("kg m^2", "moment of inertia I_r of ring gear and output 1")]
+    inertia_sun: Annotated[float, Quantity("kg m^2", "moment of inertia I_s of sun gear and output 2")]
+    inertia_planet: Annotated[float, Quantity("kg m^2", "moment of inertia I_p of one planet about its own axis")]
     loss: LoadDependentFriction | None = None
     limited_slip: LoadDependentFriction | None = None
 
@@ -60,9 +62,7 @@ class EpicyclicDifferential(Component):
         return self
 
     def elements(self, name: str) -> Elements:
-        input_, output1, output2, planet = (
-            f"{name}.{part}" for part in ("input", "output1", "output2", "planet")
-        )
+        input_, output1, output2, planet = (f"{name}.{part}" for part in ("input", "output1", "output2", "planet"))
         ring, sun = self.symbol(name, "radius_ring"), self.symbol(name, "radius_sun")
         radius_planet = (ring - sun) / 2
         one = sp.Integer(1)

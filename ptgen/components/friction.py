@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Annotated, Literal
 
-from ptgen.components.component import Component, Record, quantity
+from ptgen.components.component import Component, Quantity, Record
 from ptgen.elements import Friction, FrictionRole, Load, Row
 
 __all__ = ["LoadDependentFriction", "differential_frictions"]
@@ -18,14 +18,12 @@ class LoadDependentFriction(Record):
     At standstill the first part is set-valued: any torque up to the capacity that keeps the element sticking.
     """
 
-    coulomb: quantity("N m", "Coulomb friction torque T_0", positive=False) = 0.0
-    load: quantity("", "friction torque per unit of input torque, k_T", positive=False) = 0.0
-    viscous: quantity("N m s/rad", "viscous friction, k_omega", positive=False) = 0.0
+    coulomb: Annotated[float, Quantity("N m", "Coulomb friction torque T_0", positive=False)] = 0.0
+    load: Annotated[float, Quantity("", "friction torque per unit of input torque, k_T", positive=False)] = 0.0
+    viscous: Annotated[float, Quantity("N m s/rad", "viscous friction, k_omega", positive=False)] = 0.0
 
 
-def differential_frictions(
-    component: Component, name: str, loss_row: Row, slip_row: Row
-) -> tuple[Friction, ...]:
+def differential_frictions(component: Component, name: str, loss_row: Row, slip_row: Row) -> tuple[Friction, ...]:
     """Return the loss (3.34) and the limited slip (3.35) of a differential, those of them that it has.
 
     Both depend on the torque at the input flange.
@@ -45,6 +43,4 @@ def differential_frictions(
             ),
         )
 
-    return friction("loss", loss_row, FrictionRole.LOSS) + friction(
-        "limited_slip", slip_row, FrictionRole.LIMITED_SLIP
-    )
+    return friction("loss", loss_row, FrictionRole.LOSS) + friction("limited_slip", slip_row, FrictionRole.LIMITED_SLIP)

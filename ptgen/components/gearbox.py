@@ -17,11 +17,11 @@ Reference
 
 from __future__ import annotations
 
-from typing import ClassVar, Literal
+from typing import Annotated, ClassVar, Literal
 
 import sympy as sp
 
-from ptgen.components.component import Component, Flange, quantity
+from ptgen.components.component import Component, Flange, Quantity
 from ptgen.elements import Body, Constraint, Elements
 
 __all__ = ["Gearbox"]
@@ -35,8 +35,10 @@ class Gearbox(Component):
     flanges: ClassVar[tuple[Flange, ...]] = (Flange("input"), Flange("output"))
 
     type: Literal["gearbox"]
-    ratio: quantity("", "ratio of input speed to output speed; negative when the sense reverses", signed=True)
-    inertia: quantity("kg m^2", "moment of inertia, referred to the side named in inertia_side")
+    ratio: Annotated[
+        float, Quantity("", "ratio of input speed to output speed; negative when the sense reverses", signed=True)
+    ]
+    inertia: Annotated[float, Quantity("kg m^2", "moment of inertia, referred to the side named in inertia_side")]
     inertia_side: Literal["input", "output"] = "input"
 
     def elements(self, name: str) -> Elements:

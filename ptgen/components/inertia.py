@@ -12,11 +12,11 @@ Reference
 
 from __future__ import annotations
 
-from typing import ClassVar, Literal
+from typing import Annotated, ClassVar, Literal
 
 import sympy as sp
 
-from ptgen.components.component import Component, Flange, quantity
+from ptgen.components.component import Component, Flange, Quantity
 from ptgen.elements import Body, Constraint, Elements
 
 __all__ = ["Inertia"]
@@ -30,7 +30,7 @@ class Inertia(Component):
     flanges: ClassVar[tuple[Flange, ...]] = (Flange("left", True), Flange("right", True))
 
     type: Literal["inertia"]
-    inertia: quantity("kg m^2", "moment of inertia")
+    inertia: Annotated[float, Quantity("kg m^2", "moment of inertia")]
 
     def elements(self, name: str) -> Elements:
         left, right = f"{name}.left", f"{name}.right"

@@ -20,12 +20,12 @@ Reference
 
 from __future__ import annotations
 
-from typing import ClassVar, Literal
+from typing import Annotated, ClassVar, Literal
 
 import sympy as sp
 from pydantic import model_validator
 
-from ptgen.components.component import Component, Flange, Record, quantity
+from ptgen.components.component import Component, Flange, Quantity, Record
 from ptgen.elements import Body, Drive, Elements, Sensor, SensorKind, Torque
 
 __all__ = ["Inverter", "Machine"]
@@ -35,8 +35,8 @@ class Inverter(Record):
     """The torque loop of an inverter: ideal, or a dead time followed by a first-order lag."""
 
     model: Literal["ideal", "lag"]
-    dead_time: quantity("s", "dead time of the torque loop", positive=False) | None = None
-    time_constant: quantity("s", "time constant of the torque loop") | None = None
+    dead_time: Annotated[float, Quantity("s", "dead time of the torque loop", positive=False)] | None = None
+    time_constant: Annotated[float, Quantity("s", "time constant of the torque loop")] | None = None
 
     @model_validator(mode="after")
     def _complete(self) -> Inverter:
@@ -59,10 +59,10 @@ class Machine(Component):
     is_machine: ClassVar[bool] = True
 
     type: Literal["machine"]
-    inertia: quantity("kg m^2", "moment of inertia of the rotor")
-    torque_max: quantity("N m", "largest air-gap torque up to the rated speed")
-    speed_rated: quantity("rad/s", "speed up to which the largest torque is available")
-    speed_max: quantity("rad/s", "largest admissible speed")
+    inertia: Annotated[float, Quantity("kg m^2", "moment of inertia of the rotor")]
+    torque_max: Annotated[float, Quantity("N m", "largest air-gap torque up to the rated speed")]
+    speed_rated: Annotated[float, Quantity("rad/s", "speed up to which the largest torque is available")]
+    speed_max: Annotated[float, Quantity("rad/s", "largest admissible speed")]
     inverter: Inverter = Inverter(model="ideal")
 
     @model_validator(mode="after")

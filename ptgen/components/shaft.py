@@ -12,11 +12,11 @@ Reference
 
 from __future__ import annotations
 
-from typing import ClassVar, Literal
+from typing import Annotated, ClassVar, Literal
 
 import sympy as sp
 
-from ptgen.components.component import Component, Flange, quantity
+from ptgen.components.component import Component, Flange, Quantity
 from ptgen.elements import Elements, Spring
 
 __all__ = ["Shaft"]
@@ -30,11 +30,9 @@ class Shaft(Component):
     flanges: ClassVar[tuple[Flange, ...]] = (Flange("left"), Flange("right"))
 
     type: Literal["shaft"]
-    stiffness: quantity("N m/rad", "torsional stiffness c_s")
-    damping: quantity("N m s/rad", "internal damping d_s", positive=False) = 0.0
+    stiffness: Annotated[float, Quantity("N m/rad", "torsional stiffness c_s")]
+    damping: Annotated[float, Quantity("N m s/rad", "internal damping d_s", positive=False)] = 0.0
 
     def elements(self, name: str) -> Elements:
         row = {f"{name}.left": sp.Integer(1), f"{name}.right": sp.Integer(-1)}
-        return Elements(
-            springs=(Spring(name, row, self.symbol(name, "stiffness"), self.symbol(name, "damping")),)
-        )
+        return Elements(springs=(Spring(name, row, self.symbol(name, "stiffness"), self.symbol(name, "damping")),))

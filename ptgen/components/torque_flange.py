@@ -16,11 +16,11 @@ Reference
 
 from __future__ import annotations
 
-from typing import ClassVar, Literal
+from typing import Annotated, ClassVar, Literal
 
 import sympy as sp
 
-from ptgen.components.component import Component, Flange, quantity
+from ptgen.components.component import Component, Flange, Quantity
 from ptgen.elements import Body, Elements, Sensor, SensorKind, Spring
 
 __all__ = ["TorqueFlange"]
@@ -35,10 +35,10 @@ class TorqueFlange(Component):
     faces_machine: ClassVar[bool] = True
 
     type: Literal["torque_flange"]
-    inertia: quantity("kg m^2", "moment of inertia on the side of the unit under test")
-    inertia_machine: quantity("kg m^2", "moment of inertia on the side of the machine") | None = None
-    stiffness: quantity("N m/rad", "torsional stiffness c_f")
-    damping: quantity("N m s/rad", "internal damping d_f", positive=False) = 0.0
+    inertia: Annotated[float, Quantity("kg m^2", "moment of inertia on the side of the unit under test")]
+    inertia_machine: Annotated[float, Quantity("kg m^2", "moment of inertia on the side of the machine")] | None = None
+    stiffness: Annotated[float, Quantity("N m/rad", "torsional stiffness c_f")]
+    damping: Annotated[float, Quantity("N m s/rad", "internal damping d_f", positive=False)] = 0.0
 
     def elements(self, name: str) -> Elements:
         machine, uut = f"{name}.machine", f"{name}.uut"

@@ -66,12 +66,8 @@ def _condense(mechanism: Mechanism, coordinates: Coordinates, first: First) -> _
     kept, S = coordinates.with_inertia, coordinates.S
     if kept == len(coordinates.names):
         return _Condensed(coordinates.names, S, sp.zeros(len(velocities), len(mechanism.frictions)))
-    springs = (
-        exact.stack([exact.row_vector(s.row, velocities) for s in mechanism.springs], len(velocities)) * S
-    )
-    frictions = (
-        exact.stack([exact.row_vector(f.row, velocities) for f in mechanism.frictions], len(velocities)) * S
-    )
+    springs = exact.stack([exact.row_vector(s.row, velocities) for s in mechanism.springs], len(velocities)) * S
+    frictions = exact.stack([exact.row_vector(f.row, velocities) for f in mechanism.frictions], len(velocities)) * S
     if first == "frictions" and any(entry != 0 for entry in frictions[:, kept:]):
         raise _friction_without_inertia(mechanism, frictions[:, kept:])
     K = springs.T * sp.diag(*[spring.stiffness for spring in mechanism.springs]) * springs
@@ -88,9 +84,7 @@ def _condense(mechanism: Mechanism, coordinates: Coordinates, first: First) -> _
         ) from None
     Psi = sp.eye(kept).col_join(-solved[:, :kept])
     offset = sp.zeros(kept, frictions.shape[0]).col_join(-solved[:, kept:])
-    return _Condensed(
-        coordinates.names[:kept], (S * Psi).applyfunc(sp.cancel), (S * offset).applyfunc(sp.cancel)
-    )
+    return _Condensed(coordinates.names[:kept], (S * Psi).applyfunc(sp.cancel), (S * offset).applyfunc(sp.cancel))
 
 
 def _friction_without_inertia(mechanism: Mechanism, massless: sp.Matrix) -> ModelError:

@@ -83,9 +83,7 @@ class Mechanism:
         connections: dict[str, tuple[str, int]] = {}
         for connection in testbed.connections:
             owner = f"{connection.left} - {connection.right}"
-            constraints.append(
-                Constraint(owner, {connection.left: sp.Integer(1), connection.right: sp.Integer(-1)})
-            )
+            constraints.append(Constraint(owner, {connection.left: sp.Integer(1), connection.right: sp.Integer(-1)}))
             connections[connection.left] = (owner, +1)
             connections[connection.right] = (owner, -1)
         return cls(
@@ -133,8 +131,7 @@ class Mechanism:
         return replace(
             self,
             frictions=tuple(friction for friction in self.frictions if friction.name not in names),
-            constraints=self.constraints
-            + tuple(Constraint(friction.name, friction.row) for friction in locked),
+            constraints=self.constraints + tuple(Constraint(friction.name, friction.row) for friction in locked),
         )
 
     def without_frictions(self, names: set[str]) -> Mechanism:
@@ -143,7 +140,5 @@ class Mechanism:
 
 
 def _observed(testbed: Testbed, parts: list[Elements]) -> list[str]:
-    loads = [
-        friction.load.place for part in parts for friction in part.frictions if friction.load is not None
-    ]
+    loads = [friction.load.place for part in parts for friction in part.frictions if friction.load is not None]
     return [*testbed.roles.torque.values(), *loads]

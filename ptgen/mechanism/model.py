@@ -10,6 +10,7 @@ by construction (source (4.22)-(4.25)).
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Mapping
 from dataclasses import dataclass
 
@@ -37,9 +38,7 @@ class LinearForm:
     a: sp.Matrix
 
     def __add__(self, other: LinearForm) -> LinearForm:
-        return LinearForm(
-            self.z + other.z, self.e + other.e, self.u + other.u, self.f + other.f, self.a + other.a
-        )
+        return LinearForm(self.z + other.z, self.e + other.e, self.u + other.u, self.f + other.f, self.a + other.a)
 
     def scaled(self, factor: sp.Expr | int) -> LinearForm:
         """Return the form times `factor`."""
@@ -131,9 +130,7 @@ class Model:
     @property
     def viscous(self) -> sp.Matrix:
         """Viscous friction coefficients as a diagonal matrix (n_f, n_f)."""
-        return (
-            sp.diag(*[friction.viscous for friction in self.frictions]) if self.frictions else sp.zeros(0, 0)
-        )
+        return sp.diag(*[friction.viscous for friction in self.frictions]) if self.frictions else sp.zeros(0, 0)
 
     def shape_rows(self) -> dict[str, sp.Matrix]:
         """Return the rows of the velocities that show a mode's shape: all that carry inertia, and rotors' neighbours.
@@ -164,7 +161,7 @@ class Model:
         joined = sp.Matrix.hstack(forces.z, forces.e, forces.u, forces.f)
         solved = exact.solve(self.mass, joined)
         ends = np.cumsum([0, *widths])
-        parts = [solved[:, int(start) : int(end)] for start, end in zip(ends[:-1], ends[1:], strict=True)]
+        parts = [solved[:, int(start) : int(end)] for start, end in itertools.pairwise(ends)]
         return LinearForm(*parts, a=sp.zeros(*self.mass.shape))
 
     def without_acceleration(self, form: LinearForm) -> LinearForm:

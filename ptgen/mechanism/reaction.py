@@ -7,6 +7,7 @@ taken; between equals the one on the machine's side, so that a rigidised torque 
 
 from __future__ import annotations
 
+import itertools
 from dataclasses import dataclass
 
 import networkx as nx
@@ -46,7 +47,7 @@ def reaction(mechanism: Mechanism, owner: str) -> Reaction:
     graph.add_nodes_from(mechanism.velocities)
     for constraint in rest:
         names = list(constraint.row)
-        graph.add_edges_from(zip(names[:-1], names[1:], strict=True))
+        graph.add_edges_from(itertools.pairwise(names))
     found = []
     for start, sign in ((left, 1), (right, -1)):
         side = nx.node_connected_component(graph, start)

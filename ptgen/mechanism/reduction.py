@@ -25,7 +25,6 @@ from numpy.typing import NDArray
 from ptgen.elements import FrictionRole
 from ptgen.errors import ModelError, Problem, nearest
 from ptgen.mechanism.assembly import assemble
-from ptgen.mechanism.coordinates import choose_coordinates
 from ptgen.mechanism.mechanism import Mechanism
 from ptgen.mechanism.model import Model, evaluate_matrix
 from ptgen.mechanism.modes import Mode, modes
@@ -68,6 +67,8 @@ class ReducedModel:
         Undamped, over the velocities of the machines; the limited slip acts as a disturbance.
     mechanism : Mechanism
         The reduced elements.
+    original : Mechanism
+        The elements before reduction.
     rules : tuple of AppliedRule
     modes_before, modes_after : tuple of Mode
         Modes of the full and of the reduced model, friction elements free.
@@ -81,6 +82,7 @@ class ReducedModel:
 
     model: Model
     mechanism: Mechanism
+    original: Mechanism
     rules: tuple[AppliedRule, ...]
     modes_before: tuple[Mode, ...]
     modes_after: tuple[Mode, ...]
@@ -89,9 +91,7 @@ class ReducedModel:
     definitions: Mapping[sp.Symbol, sp.Expr]
 
 
-def reduce_mechanism(
-    mechanism: Mechanism, settings: ReductionSettings, full: Model | None = None
-) -> ReducedModel:
+def reduce_mechanism(mechanism: Mechanism, settings: ReductionSettings, full: Model | None = None) -> ReducedModel:
     """Reduce a mechanism for controller design.
 
     Parameters
@@ -129,16 +129,13 @@ def reduce_mechanism(
         rigid |= {
             spring.name
             for spring in reduced.springs
-            if participation.strain(spring.name) <= settings.stiffness_share
-            and spring.name not in settings.keep
+            if participation.strain(spring.name) <= settings.stiffness_share and spring.name not in settings.keep
         }
     rules += [_rigid_rule(name, participation, settings) for name in sorted(rigid)]
     reduced = reduced.with_rigid_springs(rigid)
 
-    moving = _moving_alone(reduced)
-    dropped = removable & moving
-    rules += [_inertia_rule(reduced, velocity, participation, settings) for velocity in sorted(dropped)]
-    reduced = reduced.without_bodies(dropped)
+    rules += [_inertia_rule(reduced, velocity, participation, settings) for velocity in sorted(removable)]
+    reduced = reduced.without_bodies(removable)
 
     series = join_series(reduced)
     reduced = series.mechanism
@@ -155,6 +152,7 @@ def reduce_mechanism(
     return ReducedModel(
         model=model,
         mechanism=undamped,
+        original=mechanism,
         rules=tuple(rules),
         modes_before=before,
         modes_after=after,
@@ -242,18 +240,6 @@ def _removable(mechanism: Mechanism, participation: _Participation, settings: Re
     return result
 
 
-def _moving_alone(mechanism: Mechanism) -> set[str]:
-    """Return the velocities with inertia that are not rigidly tied to machines."""
-    coordinates = choose_coordinates(mechanism, "machines")
-    tied = [name in mechanism.machine_velocities for name in coordinates.names]
-    result = set()
-    for body in mechanism.bodies:
-        row = coordinates.S[mechanism.velocities.index(body.velocity), :]
-        if any(entry != 0 and not with_machine for entry, with_machine in zip(row, tied, strict=True)):
-            result.add(body.velocity)
-    return result
-
-
 def _equivalent_damping(model: Model, mechanism: Mechanism) -> NDArray[np.float64]:
     """Return ``Psi' D Psi`` over the twists: every shaft's damping with the share of the twist that it takes."""
     size = len(model.twists)
@@ -286,12 +272,8 @@ def _drive_rules(mechanism: Mechanism, before: tuple[Mode, ...]) -> list[Applied
             continue
         delay = sum(mechanism.values[part] for part in parts)
         degrees = 360.0 * delay * elastic[0]
-        why = (
-            f"{1e6 * delay:.0f} us are {degrees:.2g} degrees of phase at the first mode, {elastic[0]:.3g} Hz"
-        )
-        rules.append(
-            AppliedRule("idealise drive", torque.name, why, {"delay": delay, "phase_degrees": degrees})
-        )
+        why = f"{1e6 * delay:.0f} us are {degrees:.2g} degrees of phase at the first mode, {elastic[0]:.3g} Hz"
+        rules.append(AppliedRule("idealise drive", torque.name, why, {"delay": delay, "phase_degrees": degrees}))
     return rules
 
 
@@ -321,9 +303,7 @@ def _inertia_rule(
     )
 
 
-def _condensation_rules(
-    series: SeriesShafts, model: Model, damping: NDArray[np.float64]
-) -> list[AppliedRule]:
+def _condensation_rules(series: SeriesShafts, model: Model, damping: NDArray[np.float64]) -> list[AppliedRule]:
     values = model.values
     stiffness = evaluate_matrix(model.stiffness, values)
     rules = []

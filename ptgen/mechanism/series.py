@@ -7,6 +7,7 @@ equivalent shaft its own symbol keeps the formulas of the reduced model as short
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
@@ -76,10 +77,10 @@ def _find_joint(mechanism: Mechanism, keep: frozenset[str]) -> tuple[frozenset[s
     graph.add_nodes_from(mechanism.velocities)
     for constraint in mechanism.constraints:
         names = list(constraint.row)
-        graph.add_edges_from(zip(names[:-1], names[1:], strict=True))
+        graph.add_edges_from(itertools.pairwise(names))
     loaded = {body.velocity for body in mechanism.bodies}
-    for element in (*mechanism.frictions, *mechanism.torques):
-        loaded |= set(element.row)
+    for row in [e.row for e in mechanism.frictions] + [e.row for e in mechanism.torques]:
+        loaded |= set(row)
     for group in nx.connected_components(graph):
         if group & loaded:
             continue
@@ -143,9 +144,7 @@ def _join(shafts: SeriesShafts, group: frozenset[str], first: Spring, second: Sp
         # A spring drives its joint with minus its coefficient there; the joint passes it on to the right.
         carriers[flange] = (name, -int(at_first))
     joined = Spring(name, row, stiffness, damping)
-    springs = tuple(
-        joined if spring is first else spring for spring in mechanism.springs if spring is not second
-    )
+    springs = tuple(joined if spring is first else spring for spring in mechanism.springs if spring is not second)
     new = replace(
         mechanism,
         velocities=tuple(v for v in mechanism.velocities if v not in group),
@@ -155,12 +154,8 @@ def _join(shafts: SeriesShafts, group: frozenset[str], first: Spring, second: Sp
         connections={flange: at for flange, at in mechanism.connections.items() if at[0] not in inside},
         carriers=carriers,
     )
-    kept_members = {
-        key: value for key, value in shafts.members.items() if key not in (first.name, second.name)
-    }
-    return SeriesShafts(
-        new, {**shafts.definitions, stiffness: c, damping: d}, {**kept_members, name: members}
-    )
+    kept_members = {key: value for key, value in shafts.members.items() if key not in (first.name, second.name)}
+    return SeriesShafts(new, {**shafts.definitions, stiffness: c, damping: d}, {**kept_members, name: members})
 
 
 def _constraint(mechanism: Mechanism, owner: str) -> Constraint:
@@ -174,6 +169,6 @@ def _reaches(mechanism: Mechanism, group: frozenset[str], owner: str, start: str
     for constraint in mechanism.constraints:
         if set(constraint.row) <= group and constraint.owner != owner:
             names = list(constraint.row)
-            graph.add_edges_from(zip(names[:-1], names[1:], strict=True))
+            graph.add_edges_from(itertools.pairwise(names))
     end = next(name for name in spring.row if name in group)
     return end in nx.node_connected_component(graph, start)

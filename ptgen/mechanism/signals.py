@@ -105,7 +105,5 @@ class SignalForms:
         for body in self._mechanism.bodies:
             if body.velocity in q:
                 row = self._velocity_rows[body.velocity] * (-q[body.velocity] * body.inertia)
-                form = form + LinearForm(
-                    z=sp.zeros(1, self._n_z), e=form.e * 0, u=form.u * 0, f=form.f * 0, a=row
-                )
+                form = form + LinearForm(z=sp.zeros(1, self._n_z), e=form.e * 0, u=form.u * 0, f=form.f * 0, a=row)
         return LinearForm(*(part.applyfunc(sp.cancel) for part in (form.z, form.e, form.u, form.f, form.a)))

@@ -105,7 +105,7 @@ def split(
             stop = Stop(name, flange if dot else None, index, position > 0, position < len(words) - 1)
             if name in unreadable:  # its own problem is reported where it is described
                 continue
-            found = _unknown(stop, word, where, types) or _misplaced(stop, where, types)
+            found = _unknown(stop, word, where, types, unreadable) or _misplaced(stop, where, types)
             if found is None:
                 stops.append(stop)
             else:
@@ -115,10 +115,12 @@ def split(
     return chains, problems
 
 
-def _unknown(stop: Stop, word: str, where: str, types: Mapping[str, type[Component]]) -> Problem | None:
+def _unknown(
+    stop: Stop, word: str, where: str, types: Mapping[str, type[Component]], unreadable: frozenset[str]
+) -> Problem | None:
     if stop.component not in types:
         hint = 'separate components by " - " with spaces'
-        remedy = hint if not re.fullmatch(r"\w+", stop.component) else nearest(stop.component, types)
+        remedy = hint if not re.fullmatch(r"\w+", stop.component) else nearest(stop.component, {*types, *unreadable})
         return Problem(where, f"{shown(word)} names no component of the bed", remedy)
     known = types[stop.component].flange_names()
     if stop.flange is not None and stop.flange not in known:

@@ -40,9 +40,7 @@ def check(components: Mapping[str, Component], connections: Sequence[Connection]
         if _stuck(fewer):
             needed = fewer
     owners = {relation.owner for relation in needed if relation.owner}
-    owners |= {
-        flange.partition(".")[0] for relation in needed if not relation.owner for flange in relation.row
-    }
+    owners |= {flange.partition(".")[0] for relation in needed if not relation.owner for flange in relation.row}
     names = ", ".join(name for name in components if name in owners)
     velocities = ", ".join(f'"{velocity}"' for velocity in sorted(_stuck(needed)) if velocity in stuck)
     what = f"the rigid loop through {names} has gear ratios that contradict each other, so it cannot turn"
@@ -52,13 +50,10 @@ def check(components: Mapping[str, Component], connections: Sequence[Connection]
 
 def _relations(components: Mapping[str, Component], connections: Sequence[Connection]) -> list[_Relation]:
     relations = [
-        _Relation("", {connection.left: sp.Integer(1), connection.right: sp.Integer(-1)})
-        for connection in connections
+        _Relation("", {connection.left: sp.Integer(1), connection.right: sp.Integer(-1)}) for connection in connections
     ]
     for name, component in components.items():
-        values = {
-            parameter.symbol: sp.Rational(str(parameter.value)) for parameter in component.parameters(name)
-        }
+        values = {parameter.symbol: sp.Rational(str(parameter.value)) for parameter in component.parameters(name)}
         for constraint in component.elements(name).constraints:
             row = {velocity: sp.sympify(factor).subs(values) for velocity, factor in constraint.row.items()}
             relations.append(_Relation(name, row))
@@ -70,9 +65,7 @@ def _stuck(relations: Sequence[_Relation]) -> set[str]:
     velocities = sorted({velocity for relation in relations for velocity in relation.row})
     if not velocities:
         return set()
-    entries = [
-        [QQ.from_sympy(relation.row.get(v, sp.Integer(0))) for v in velocities] for relation in relations
-    ]
+    entries = [[QQ.from_sympy(relation.row.get(v, sp.Integer(0))) for v in velocities] for relation in relations]
     matrix = DomainMatrix(entries, (len(relations), len(velocities)), QQ)
     basis = matrix.nullspace().to_list()
     return {v for column, v in enumerate(velocities) if not any(row[column] for row in basis)}

@@ -16,8 +16,8 @@ PATTERN = "^[A-Za-z][A-Za-z0-9_]{0,39}$"
 _KEYWORDS = frozenset(
     """
     auto break case char const continue default do double else enum extern float for goto if inline int long
-    register restrict return short signed sizeof static struct switch typedef union unsigned void volatile while
-    asm bool true false main
+    register restrict return short signed sizeof static struct switch typedef union unsigned void volatile
+    while asm bool true false main
     """.split()  # noqa: SIM905  forty words in quotation marks are harder to read
 )
 

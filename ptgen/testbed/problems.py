@@ -11,7 +11,7 @@ from typing import Annotated, Any, TypeVar
 
 from pydantic import BaseModel, ValidationError
 
-from ptgen.components.component import QuantityField, Record
+from ptgen.components.component import Quantity, Record
 from ptgen.errors import Problem, nearest
 
 __all__ = ["dotted", "example", "quantity_field", "shown", "validated"]
@@ -101,9 +101,7 @@ def validated(model: type[_R], table: object, *path: object) -> tuple[_R | None,
     """
     if not isinstance(table, dict):
         where = dotted(*path)
-        return None, [
-            Problem(where, f"must be a table, got {shown(table)}", f"write it as a table, [{where}]")
-        ]
+        return None, [Problem(where, f"must be a table, got {shown(table)}", f"write it as a table, [{where}]")]
     try:
         return model.model_validate(table), []
     except ValidationError as error:
@@ -111,13 +109,13 @@ def validated(model: type[_R], table: object, *path: object) -> tuple[_R | None,
         return None, [_problem(model, detail, path) for detail in details]
 
 
-def quantity_field(model: type[BaseModel], location: Iterable[object]) -> QuantityField | None:
+def quantity_field(model: type[BaseModel], location: Iterable[object]) -> Quantity | None:
     """Return what is known of the quantity at `location` in `model`; None if no quantity is there."""
     for annotation in _walk(model, tuple(location)):
         for part in _variants(annotation):
             if typing.get_origin(part) is Annotated:
                 for meta in part.__metadata__:
-                    if isinstance(meta, QuantityField):
+                    if isinstance(meta, Quantity):
                         return meta
     return None
 
@@ -141,9 +139,7 @@ def _walk(model: type[BaseModel], location: tuple[object, ...]) -> Iterator[Any]
                 if isinstance(part, type) and issubclass(part, BaseModel):
                     info = part.model_fields.get(str(step))
                     if info is not None:
-                        below.append(
-                            Annotated[(info.annotation, *info.metadata)] if info.metadata else info.annotation
-                        )
+                        below.append(Annotated[(info.annotation, *info.metadata)] if info.metadata else info.annotation)
                 elif typing.get_origin(part) is dict:
                     below.append(typing.get_args(part)[1])
                 elif typing.get_origin(part) is tuple:
@@ -182,9 +178,7 @@ def _problem(model: type[Record], detail: Mapping[str, Any], path: tuple[object,
         case "value_error":
             return _of_value(where, str(detail["ctx"]["error"]), field)
         case "model_type" | "dict_type" | "model_attributes_type":
-            return Problem(
-                where, f"must be a table, got {shown(value)}", "write it as a table, { key = value }"
-            )
+            return Problem(where, f"must be a table, got {shown(value)}", "write it as a table, { key = value }")
         case "string_type":
             return Problem(where, f"must be a text, got {shown(value)}", "put it into quotation marks")
         case "tuple_type" | "list_type":
@@ -192,11 +186,11 @@ def _problem(model: type[Record], detail: Mapping[str, Any], path: tuple[object,
     return Problem(where, f"is not understood, {detail['msg']}", "compare it with `ptgen schema`")
 
 
-def _of_value(where: str, message: str, field: QuantityField | None) -> Problem:
+def _of_value(where: str, message: str, field: Quantity | None) -> Problem:
     if "; " in message:
         return Problem(where, *message.split("; ", 1))
     if field is None:
-        return Problem(where, message, "change one of the two")
+        return Problem(where, message, "add it" if " needs a " in message else "change one of the two")
     if re.match(r"must be >=? ", message) or message.startswith("must not be 0"):
         return Problem(where, message, _SIGN.get(field.unit, "check the sign and the unit"))
     if not field.unit:

@@ -62,9 +62,7 @@ class Recording(Record):
         return value
 
 
-def read_profile(
-    entry: object, unit: str, folder: Path, *where: object
-) -> tuple[Profile | None, list[Problem]]:
+def read_profile(entry: object, unit: str, folder: Path, *where: object) -> tuple[Profile | None, list[Problem]]:
     """Read one reference.
 
     Parameters
@@ -106,9 +104,7 @@ def read_profile(
     return (None if problems else Profile(tuple(time), tuple(value), points.shape)), problems
 
 
-def _quantities(
-    entries: list[object], unit: str, where: tuple[object, ...]
-) -> tuple[list[float], list[Problem]]:
+def _quantities(entries: list[object], unit: str, where: tuple[object, ...]) -> tuple[list[float], list[Problem]]:
     values: list[float] = []
     problems: list[Problem] = []
     for index, entry in enumerate(entries):

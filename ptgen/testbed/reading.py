@@ -50,9 +50,7 @@ def load(path: str | PathLike[str]) -> Testbed:
     problems = _sections(tables)
     bed, found = validated(BedSection, tables["testbed"], "testbed") if "testbed" in tables else (None, [])
     problems += found
-    control, found = (
-        validated(ControlSection, tables["control"], "control") if "control" in tables else (None, [])
-    )
+    control, found = validated(ControlSection, tables["control"], "control") if "control" in tables else (None, [])
     problems += found
     reduction, found = validated(ReductionSettings, tables.get("reduction", {}), "reduction")
     problems += found
@@ -61,23 +59,20 @@ def load(path: str | PathLike[str]) -> Testbed:
     problems += found
     unreadable = frozenset(described) - frozenset(types) if isinstance(described, dict) else frozenset()
 
+    # What follows is judged on the file itself, so that a wrong bandwidth does not hide a wrong connection.
+    name = _entry(tables, "testbed", "name")
+    if isinstance(name, str):
+        problems += check_name(name, "testbed", "name")
+    problems += _assumed(_texts(tables, "testbed", "assumed") or (), tables)
     chains: Chains | None = None
-    if bed is not None:
-        problems += check_name(bed.name, "testbed", "name")
-        problems += _assumed(bed.assumed, tables)
-        if isinstance(described, dict):
-            chains, found = _connected(bed.connections, types, components, unreadable)
+    if "components" in tables and isinstance(described, dict):
+        texts = _texts(tables, "testbed", "connections")
+        if texts is not None:
+            chains, found = _connected(texts, types, components, unreadable)
             problems += found
-    if isinstance(described, dict):
-        links = chains.links if chains else None
-        known = roles.Bed(types, components, links, unreadable)
-        if control is not None:
-            problems += roles.check(control.torque, control.speed, known)
-            problems += _estimates(control.inertia_estimate, known)
-        elif described and not unreadable and not any(kind.is_machine for kind in types.values()):
-            problems += roles.check({}, (), known)
-        if reduction is not None:
-            problems += _reduced(reduction, described)
+        known = roles.Bed(types, components, chains.links if chains else None, unreadable)
+        problems += _roles(tables, known)
+        problems += _reduced(tables, described)
     if problems or bed is None or control is None or reduction is None or chains is None:
         raise TestbedError(problems, document.file)
     return Testbed(
@@ -96,23 +91,33 @@ def load(path: str | PathLike[str]) -> Testbed:
     )
 
 
+def _entry(tables: Mapping[str, Any], section: str, key: str) -> object:
+    """Return a value of the file, None if it is not there."""
+    table = tables.get(section)
+    return table.get(key) if isinstance(table, dict) else None
+
+
+def _texts(tables: Mapping[str, Any], section: str, key: str) -> tuple[str, ...] | None:
+    """Return a list of texts of the file, None if it is none."""
+    entries = _entry(tables, section, key)
+    if isinstance(entries, list) and all(isinstance(entry, str) for entry in entries):
+        return tuple(entries)
+    return None
+
+
 def _sections(tables: Mapping[str, Any]) -> list[Problem]:
     """Check that the file has the sections that it needs, and no others."""
     known = (*_SECTIONS, *_OPTIONAL)
     problems = [
-        Problem(dotted(key), "is an unknown section", nearest(key, known))
-        for key in tables
-        if key not in known
+        Problem(dotted(key), "is an unknown section", nearest(key, known)) for key in tables if key not in known
     ]
-    return problems + [
-        Problem(key, "is missing", text) for key, text in _SECTIONS.items() if key not in tables
-    ]
+    return problems + [Problem(key, "is missing", text) for key, text in _SECTIONS.items() if key not in tables]
 
 
 def _components(
     described: object,
 ) -> tuple[dict[str, type[Component]], dict[str, Component], list[Problem]]:
-    """Read ``[components]``: the type of each component if that is known, and the record if it has no problem."""
+    """Return the type of each component that has a known one, and the record of each without a problem."""
     types: dict[str, type[Component]] = {}
     components: dict[str, Component] = {}
     if not isinstance(described, dict):
@@ -174,9 +179,7 @@ def _assumed(keys: tuple[str, ...], tables: Mapping[str, Any]) -> list[Problem]:
     """Check that the values which are marked as assumed exist."""
     known = set(_paths(tables, ""))
     return [
-        Problem(
-            dotted("testbed", "assumed", index), f"{shown(key)} is no key of this file", nearest(key, known)
-        )
+        Problem(dotted("testbed", "assumed", index), f"{shown(key)} is no key of this file", nearest(key, known))
         for index, key in enumerate(keys)
         if key not in known
     ]
@@ -192,26 +195,37 @@ def _paths(table: Mapping[str, Any], prefix: str) -> list[str]:
     return found
 
 
-def _estimates(estimates: Mapping[str, float], bed: roles.Bed) -> list[Problem]:
+def _roles(tables: Mapping[str, Any], bed: roles.Bed) -> list[Problem]:
+    """Check the roles, and that inertia estimates are given for machines."""
+    problems: list[Problem] = []
+    if not isinstance(tables.get("control"), dict):  # reported already, but a bed without machines is not
+        no_machine = not bed.unreadable and not any(kind.is_machine for kind in bed.types.values())
+        return roles.check({}, (), bed) if no_machine else []
+    torque = _entry(tables, "control", "torque") or {}
+    speed = _texts(tables, "control", "speed")
+    if speed is None and _entry(tables, "control", "speed") is None:
+        speed = ()
+    if isinstance(torque, dict) and all(isinstance(place, str) for place in torque.values()) and speed is not None:
+        problems += roles.check(torque, speed, bed)
     machines = [name for name, kind in bed.types.items() if kind.is_machine]
-    return [
-        Problem(
-            dotted("control", "inertia_estimate", name), "is no machine of the bed", nearest(name, machines)
-        )
-        for name in estimates
-        if name not in machines and name not in bed.unreadable
-    ]
+    estimates = _entry(tables, "control", "inertia_estimate")
+    for name in estimates if isinstance(estimates, dict) else ():
+        if name not in machines and name not in bed.unreadable:
+            where = dotted("control", "inertia_estimate", name)
+            problems.append(Problem(where, "is no machine of the bed", nearest(name, machines)))
+    return problems
 
 
-def _reduced(settings: ReductionSettings, described: Mapping[str, object]) -> list[Problem]:
+def _reduced(tables: Mapping[str, Any], described: Mapping[str, object]) -> list[Problem]:
     """Check that the components which the reduction names exist and are named for one thing only."""
     problems: list[Problem] = []
+    kept = _texts(tables, "reduction", "keep") or ()
     for key in ("rigid", "keep", "drop"):
-        for index, name in enumerate(getattr(settings, key)):
+        for index, name in enumerate(_texts(tables, "reduction", key) or ()):
             where = dotted("reduction", key, index)
             if name not in described:
                 problems.append(Problem(where, f"{shown(name)} is no component", nearest(name, described)))
-            elif key != "keep" and name in settings.keep:
+            elif key != "keep" and name in kept:
                 what = f'"{name}" stands in reduction.keep too'
                 problems.append(Problem(where, what, "remove it from one of the two lists"))
     return problems

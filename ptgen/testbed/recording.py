@@ -63,23 +63,17 @@ def read_columns(path: Path, time: str | None, column: str) -> Columns:
     if suffix not in readers:
         raise RecordingError("file", f"must be a .csv, .parquet or .mf4 file, got {path.name}", "convert it")
     if time is None and suffix != ".mf4":
-        raise RecordingError(
-            "time", "is missing: the name of the column that holds the time", 'add time = "t"'
-        )
+        raise RecordingError("time", "is missing: the name of the column that holds the time", 'add time = "t"')
     try:
         is_file = path.is_file()
     except (OSError, ValueError):  # a name that the system cannot even look for
         is_file = False
     if not is_file:
-        raise RecordingError(
-            "file", f"{path} does not exist", "files are looked for beside the scenario file"
-        )
+        raise RecordingError("file", f"{path} does not exist", "files are looked for beside the scenario file")
     try:
         columns = readers[suffix](path, time or "", column)
     except OSError as error:
-        raise RecordingError(
-            "file", f"{path} cannot be read ({error.strerror or error})", "check it"
-        ) from None
+        raise RecordingError("file", f"{path} cannot be read ({error.strerror or error})", "check it") from None
     if not columns.time:
         raise RecordingError("file", f"{path.name} holds no values", "check the recording")
     return columns
@@ -112,9 +106,7 @@ def _read_csv(path: Path, time: str, column: str) -> Columns:
 
 def _index(header: Sequence[str], key: str, name: str, path: Path) -> int:
     if name not in header:
-        remedy = (
-            nearest(name, header) if any(header) else "write the names of the columns into the first line"
-        )
+        remedy = nearest(name, header) if any(header) else "write the names of the columns into the first line"
         raise RecordingError(key, f"{path.name} has no column {shown(name)}", remedy)
     return header.index(name)
 

@@ -81,9 +81,7 @@ def check(torque: Mapping[str, str], speed: Sequence[str], bed: Bed) -> list[Pro
         problems += _no_machine(name, machines, bed, *where)
         if name in torque:
             what = f'"{name}" has two roles, torque and speed: a machine controls one quantity'
-            problems.append(
-                Problem(dotted(*where), what, f'remove "{name}" from control.speed or control.torque')
-            )
+            problems.append(Problem(dotted(*where), what, f'remove "{name}" from control.speed or control.torque'))
         if name in speed[:index]:
             problems.append(Problem(dotted(*where), f'"{name}" is listed twice', "remove one of them"))
     problems += _places(torque, bed)
@@ -156,21 +154,15 @@ def _complete(machines: Sequence[str], torque: Mapping[str, str], speed: Sequenc
         return [Problem("components", what, 'add a component with type = "machine"')]
     if count == 0:
         remedy = 'write e.g. torque = { M1 = "flange1" } and speed = ["M2"]'
-        return [
-            Problem(
-                "control", f"no machine has a role; there are {len(machines)}".replace("; ", ": "), remedy
-            )
-        ]
+        return [Problem("control", f"no machine has a role; there are {len(machines)}".replace("; ", ": "), remedy)]
     missing = [name for name in machines if name not in torque and name not in speed]
     balance = f"{len(machines)} machines, {count} controlled quantities"
-    problems = [
-        Problem(
-            "control",
-            f'machine "{name}" has no role ({balance})',
-            f'add "{name}" to control.speed or control.torque',
-        )
-        for name in missing
-    ]
+    problems: list[Problem] = []
+    if missing:
+        plural = len(missing) > 1
+        what = f"{', '.join(missing)} {'have' if plural else 'has'} no role ({balance})"
+        remedy = f"add {'them' if plural else 'it'} to control.speed or control.torque"
+        problems.append(Problem("control", what, remedy))
     if count > len(machines):
         what = f"more controlled quantities than machines ({balance})"
         problems.append(Problem("control", what, "give every machine one role"))

@@ -1,5 +1,3 @@
-# mypy: disable-error-code="valid-type"
-# (the type of a quantity field is the result of a call, which is what pydantic reads)
 """Scenario files: what the references of a bed do over time."""
 
 from __future__ import annotations
@@ -8,9 +6,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
-from typing import Literal
+from typing import Annotated, Literal
 
-from ptgen.components.component import Record, quantity
+from ptgen.components.component import Quantity, Record
 from ptgen.errors import Problem, TestbedError, nearest
 from ptgen.testbed.problems import dotted, shown, validated
 from ptgen.testbed.profile import Profile, read_profile
@@ -59,8 +57,8 @@ class ScenarioSection(Record):
 
     title: str = ""
     description: str = ""
-    duration: quantity("s", "how long the scenario takes")
-    record_every: quantity("s", "interval between two recorded instants")
+    duration: Annotated[float, Quantity("s", "how long the scenario takes")]
+    record_every: Annotated[float, Quantity("s", "interval between two recorded instants")]
 
 
 def load_scenario(path: str | PathLike[str], testbed: Testbed) -> Scenario:
@@ -82,9 +80,7 @@ def load_scenario(path: str | PathLike[str], testbed: Testbed) -> Scenario:
     tables = document.tables
     known = ("scenario", "references")
     problems = [
-        Problem(dotted(key), "is an unknown section", nearest(key, known))
-        for key in tables
-        if key not in known
+        Problem(dotted(key), "is an unknown section", nearest(key, known)) for key in tables if key not in known
     ]
     if "scenario" not in tables:
         remedy = 'add [scenario] with duration = "10 s" and record_every = "1 ms"'

@@ -1,5 +1,3 @@
-# mypy: disable-error-code="valid-type"
-# (the type of a quantity field is the result of a call, which is what pydantic reads)
 """The sections of a test bed file, and the JSON Schema that editors check it with."""
 
 from __future__ import annotations
@@ -8,10 +6,10 @@ import functools
 import operator
 from typing import Annotated, Any
 
-from pydantic import ConfigDict, Field, create_model
+from pydantic import Field
 
 from ptgen.components.catalogue import CATALOGUE
-from ptgen.components.component import Record, quantity
+from ptgen.components.component import Quantity, Record
 from ptgen.testbed.names import PATTERN
 from ptgen.testbed.problems import quantity_field
 from ptgen.testbed.testbed import ReductionSettings, Tuning
@@ -26,20 +24,33 @@ class BedSection(Record):
     """A C identifier; the prefix of all emitted code."""
     title: str = ""
     """What the bed is called in reports; by default its name."""
-    sample_time: quantity("s", "sampling time of the controller")
+    sample_time: Annotated[float, Quantity("s", "sampling time of the controller")]
     connections: tuple[str, ...]
-    """Chains such as "M1 - flange1 - diff.input"; positive power flows from left to right."""
+    """Chains such as "M1 - flange1 - diff.input"; positive power flows left to right."""
     assumed: tuple[str, ...] = ()
-    """Keys of this file whose values are assumed rather than measured, such as "components.shaft1.damping"."""
+    """Keys of this file whose values are assumed rather than measured, such as "components.shaft1"."""
 
 
 class ControlSection(Tuning):
     """Which machine controls what, and how well."""
 
     torque: dict[str, str] = Field(default_factory=dict)
-    """Machine = where its torque reference holds: a flange, "diff.outputs" (their sum), or a torque flange."""
+    """Machine = the place of its torque: a flange, "diff.outputs" (their sum), or a torque flange."""
     speed: tuple[str, ...] = ()
     """Machines that control their own speed."""
+
+
+_AnyComponent: Any = functools.reduce(operator.or_, CATALOGUE.values())
+
+
+class BedFile(Record):
+    """A power train test bed: its components, their connections and what the machines control."""
+
+    testbed: BedSection
+    components: dict[str, Annotated[_AnyComponent, Field(discriminator="type")]]
+    """A table for each component, such as [components.M1]; the name is a C identifier."""
+    control: ControlSection
+    reduction: ReductionSettings = ReductionSettings()
 
 
 def json_schema() -> dict[str, Any]:
@@ -50,27 +61,17 @@ def json_schema() -> dict[str, Any]:
     >>> sorted(json_schema()["properties"])
     ['components', 'control', 'reduction', 'testbed']
     """
-    component: Any = functools.reduce(operator.or_, CATALOGUE.values())
-    model: Any = create_model(
-        "ptgen test bed",
-        __config__=ConfigDict(extra="forbid"),
-        __doc__="A power train test bed: its components, their connections and what the machines control.",
-        testbed=(BedSection, ...),
-        components=(dict[str, Annotated[component, Field(discriminator="type")]], ...),
-        control=(ControlSection, ...),
-        reduction=(ReductionSettings, ReductionSettings()),
-    )
-    schema: dict[str, Any] = model.model_json_schema(by_alias=True)
+    schema: dict[str, Any] = BedFile.model_json_schema()
     components = schema["properties"]["components"]
     components["patternProperties"] = {PATTERN: components.pop("additionalProperties")}
     components |= {"additionalProperties": False, "minProperties": 1}
     schema["properties"]["reduction"].pop("default", None)
-    _write_defaults(schema)
+    _simplify(schema)
     return {"$schema": "https://json-schema.org/draft/2020-12/schema", **schema}
 
 
-def _write_defaults(schema: dict[str, Any]) -> None:
-    """Write the defaults of quantities as they stand in a file, with their unit."""
+def _simplify(schema: dict[str, Any]) -> None:
+    """Write defaults of quantities with their unit, and leave out what a TOML file cannot hold."""
     pending: list[type[Record]] = [*CATALOGUE.values(), BedSection, ControlSection, ReductionSettings]
     seen: set[type[Record]] = set()
     while pending:
@@ -79,13 +80,16 @@ def _write_defaults(schema: dict[str, Any]) -> None:
             continue
         seen.add(record)
         pending += _subrecords(record)
-        properties = schema["$defs"][record.__name__]["properties"]
-        for name, entry in properties.items():
+        for name, entry in schema["$defs"][record.__name__]["properties"].items():
+            entry.pop("title", None)
+            for option in entry.pop("anyOf", ()):  # a value or null, which TOML does not know
+                if option != {"type": "null"}:
+                    entry.update(option)
             field = quantity_field(record, (name,))
             default = entry.get("default")
             if default is None:
                 entry.pop("default", None)
-            elif field is not None and field.unit and not isinstance(default, dict):
+            elif field is not None and field.unit:
                 entry["default"] = f"{default:g} {field.unit}"
 
 

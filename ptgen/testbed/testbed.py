@@ -1,15 +1,14 @@
-# mypy: disable-error-code="valid-type"
-# (the type of a quantity field is the result of a call, which is what pydantic reads)
 """What a test bed file says once it is checked: frozen, complete, in SI units."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Annotated
 
 from pydantic import Field, field_validator
 
-from ptgen.components.component import Component, Record, quantity
+from ptgen.components.component import Component, Quantity, Record
 
 __all__ = ["Connection", "ReductionSettings", "Roles", "Testbed", "Tuning"]
 
@@ -34,21 +33,23 @@ class Tuning(Record):
     A bandwidth is written as ``"30 rad/s"`` or as ``"5 Hz"``.
     """
 
-    speed_bandwidth: quantity("rad/s", "bandwidth of the speed control") = 30.0
-    torque_bandwidth: quantity("rad/s", "bandwidth of the torque control") = 20.0
-    damping_ratio: quantity("", "wanted damping ratio of the torque poles (5.81)") = 1.0
-    feedforward: quantity("", "share of the torque reference that is fed forward", positive=False) = 1.0
+    speed_bandwidth: Annotated[float, Quantity("rad/s", "bandwidth of the speed control")] = 30.0
+    torque_bandwidth: Annotated[float, Quantity("rad/s", "bandwidth of the torque control")] = 20.0
+    damping_ratio: Annotated[float, Quantity("", "wanted damping ratio of the torque poles (5.81)")] = 1.0
+    feedforward: Annotated[float, Quantity("", "share of the torque reference that is fed forward", positive=False)] = (
+        1.0
+    )
     conventional_torque_bandwidth: (
-        quantity("rad/s", "bandwidth of the torque control in the conventional controller") | None
+        Annotated[float, Quantity("rad/s", "bandwidth of the torque control in the conventional controller")] | None
     ) = None
-    fault_ramp: quantity("s", "time in which the torque is taken to zero after a fault") = 0.05
-    inertia_estimate: dict[str, quantity("kg m^2", "inertia used for the acceleration torque")] = Field(
-        default_factory=dict
+    fault_ramp: Annotated[float, Quantity("s", "time in which the torque is taken to zero after a fault")] = 0.05
+    inertia_estimate: dict[str, Annotated[float, Quantity("kg m^2", "inertia used for the acceleration torque")]] = (
+        Field(default_factory=dict)
     )
     """Inertias that the acceleration torque of a machine is computed with; by default they are derived."""
-    damping_reserve: quantity(
-        "", "share of torque_max that is reserved for active damping", positive=False
-    ) = 0.1
+    damping_reserve: Annotated[
+        float, Quantity("", "share of torque_max that is reserved for active damping", positive=False)
+    ] = 0.1
 
     @field_validator("damping_reserve")
     @classmethod
@@ -61,12 +62,13 @@ class Tuning(Record):
 class ReductionSettings(Record):
     """How the model is reduced: section ``[reduction]``."""
 
-    inertia_share: quantity(
-        "", "an inertia below this share of its neighbours' is dropped", positive=False
-    ) = 0.05
-    stiffness_share: quantity(
-        "", "a shaft is rigidised when its compliance is below this share of its neighbours'", positive=False
-    ) = 0.02
+    inertia_share: Annotated[
+        float, Quantity("", "an inertia below this share of its neighbours' is dropped", positive=False)
+    ] = 0.05
+    stiffness_share: Annotated[
+        float,
+        Quantity("", "a shaft is rigidised when its compliance is below this share of its neighbours'", positive=False),
+    ] = 0.02
     rigid: tuple[str, ...] = ()
     """Components that are made rigid in any case."""
     keep: tuple[str, ...] = ()

@@ -85,9 +85,7 @@ def _content(file: str, kind: str) -> bytes:
         raise TestbedError(Problem("", "is a directory", f"name the {kind} inside it"), file) from None
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
-        raise TestbedError(
-            Problem("", f"cannot be read ({reason})", "check path and permissions"), file
-        ) from None
+        raise TestbedError(Problem("", f"cannot be read ({reason})", "check path and permissions"), file) from None
 
 
 def _syntax(message: str, text: str) -> Problem:

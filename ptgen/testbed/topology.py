@@ -37,9 +37,7 @@ def _repeated(chains: Chains) -> list[Problem]:
         component = left.partition(".")[0]
         if component == right.partition(".")[0]:
             what = f'connects "{component}" to itself ("{left}" to "{right}")'
-            problems.append(
-                Problem(where, what, "put a component between the flanges, or name the right one")
-            )
+            problems.append(Problem(where, what, "put a component between the flanges, or name the right one"))
         for flange, other in ((left, right), (right, left)):
             if flange in neighbours:
                 what = (

@@ -1,0 +1,242 @@
+"""The CasADi evaluator of blocks: functions for optimisation, differentiation and code generation.
+
+Non-finite inputs are not supervised here: CasADi's branches evaluate both sides, so a NaN passes through. All
+other behaviour is that of the other evaluators.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+import casadi as ca
+
+from ptgen.block.block import Assign, Block, Call, Signal, parse_element
+from ptgen.block.expressions import Arithmetic, evaluate
+from ptgen.block.kernels import TAYLOR_DEGREE
+from ptgen.friction.box import MAX_ELEMENTS
+
+__all__ = ["CASADI_KERNELS", "CasadiBlock"]
+
+_ARITHMETIC = Arithmetic(
+    absolute=ca.fabs,
+    minimum=ca.fmin,
+    maximum=ca.fmax,
+    select=ca.if_else,
+    exponential=ca.exp,
+    floor=ca.floor,
+    sign=ca.sign,
+    both=ca.logic_and,
+    either=ca.logic_or,
+    negate=ca.logic_not,
+)
+
+
+class CasadiBlock:
+    """CasADi functions of a block.
+
+    Every argument and result is a column vector that stacks the signals of one kind in their order, arrays row
+    by row; `names` tells which entry is which.
+
+    Attributes
+    ----------
+    prepare : casadi.Function
+        ``(parameters) -> (derived)``
+    step : casadi.Function
+        ``(parameters, derived, states, inputs) -> (states, outputs)``
+    measure : casadi.Function
+        ``(parameters, derived, states) -> (outputs)``
+    """
+
+    def __init__(self, block: Block) -> None:
+        self.block = block
+        self.prepare = self._prepare()
+        self.step = self._step()
+        self.measure = self._measure()
+
+    @staticmethod
+    def names(signals: tuple[Signal, ...]) -> list[str]:
+        """Return the name of every entry of a stacked vector."""
+        result = []
+        for signal in signals:
+            if not signal.shape:
+                result.append(signal.name)
+            elif len(signal.shape) == 1:
+                result += [f"{signal.name}[{i}]" for i in range(signal.shape[0])]
+            else:
+                result += [f"{signal.name}[{i},{j}]" for i in range(signal.shape[0]) for j in range(signal.shape[1])]
+        return result
+
+    def _prepare(self) -> Any:
+        parameters = ca.MX.sym("parameters", sum(s.size for s in self.block.parameters))
+        table = _unstack(parameters, self.block.parameters)
+        table |= {s.name: ca.MX.zeros(*_matrix_shape(s)) for s in self.block.derived + self.block.arrays}
+        self._run("prepare", table)
+        derived = _stack(table, self.block.derived, ca.MX)
+        return ca.Function(f"{self.block.name}_prepare", [parameters], [derived], ["parameters"], ["derived"])
+
+    def _step(self) -> Any:
+        symbols = self._symbols("parameters", "derived", "states", "inputs")
+        table = self._table(symbols)
+        self._run("step", table)
+        self._run("measure", table)
+        return ca.Function(
+            f"{self.block.name}_step",
+            list(symbols.values()),
+            [_stack(table, self.block.states, ca.SX), _stack(table, self.block.outputs, ca.SX)],
+            list(symbols),
+            ["next_states", "outputs"],
+        )
+
+    def _measure(self) -> Any:
+        symbols = self._symbols("parameters", "derived", "states")
+        table = self._table(symbols)
+        self._run("measure", table)
+        outputs = _stack(table, self.block.outputs, ca.SX)
+        return ca.Function(f"{self.block.name}_measure", list(symbols.values()), [outputs], list(symbols), ["outputs"])
+
+    def _symbols(self, *kinds: str) -> dict[str, Any]:
+        return {kind: ca.SX.sym(kind, sum(s.size for s in getattr(self.block, kind))) for kind in kinds}
+
+    def _table(self, symbols: Mapping[str, Any]) -> dict[str, Any]:
+        table: dict[str, Any] = {}
+        for kind, vector in symbols.items():
+            table |= _unstack(vector, getattr(self.block, kind))
+        table |= {s.name: ca.SX.zeros(*_matrix_shape(s)) for s in self.block.arrays + self.block.outputs}
+        return table
+
+    def _run(self, section: str, table: dict[str, Any]) -> None:
+        for statement in self.block.statements(section):
+            if isinstance(statement, Assign):
+                _store(table, statement.target, evaluate(statement.expression, _Elements(table), _ARITHMETIC))
+                continue
+            _call(statement, table)
+
+
+def _call(call: Call, table: dict[str, Any]) -> None:
+    arguments = [_Elements(table)[name] for name in call.inputs]
+    results = CASADI_KERNELS[call.kernel](*arguments, *call.numbers)
+    if len(call.outputs) == 1:
+        results = (results,)
+    for name, result in zip(call.outputs, results, strict=True):
+        _store(table, name, result)
+
+
+def _matrix_shape(signal: Signal) -> tuple[int, int]:
+    padded = (*signal.shape, 1, 1)
+    return padded[0], padded[1]
+
+
+def _unstack(vector: Any, signals: tuple[Signal, ...]) -> dict[str, Any]:
+    result, start = {}, 0
+    for signal in signals:
+        rows, columns = _matrix_shape(signal)
+        # reshape is column by column, the stack goes row by row
+        part = vector[start : start + signal.size]
+        result[signal.name] = ca.reshape(part, columns, rows).T if columns > 1 else part
+        start += signal.size
+    return result
+
+
+def _stack(table: Mapping[str, Any], signals: tuple[Signal, ...], kind: Any) -> Any:
+    parts = [ca.vec(kind(table[signal.name]).T) for signal in signals]
+    return ca.vertcat(*parts) if parts else kind(0, 1)
+
+
+class _Elements(Mapping[str, Any]):
+    def __init__(self, table: Mapping[str, Any]) -> None:
+        self._table = table
+
+    def __getitem__(self, key: str) -> Any:
+        name, indices = parse_element(key)
+        if not indices:
+            return self._table[name]
+        return self._table[name][indices if len(indices) == 2 else indices[0]]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._table)
+
+    def __len__(self) -> int:
+        return len(self._table)
+
+
+def _store(table: dict[str, Any], target: str, value: Any) -> None:
+    name, indices = parse_element(target)
+    if not indices:
+        table[name] = value
+        return
+    changed = type(table[name])(table[name])
+    changed[indices if len(indices) == 2 else indices[0]] = value
+    table[name] = changed
+
+
+def _insert(target: Any, source: Any, row: int, column: int, first: int, count: int) -> Any:
+    result = type(target)(target)
+    result[row : row + source.shape[0], column : column + count] = source[:, first : first + count]
+    return result
+
+
+def _discretise(A: Any, scale: Any, duration: Any, squarings: int) -> Any:
+    n, total = A.shape
+    X = A * ca.repmat(scale.T, n, 1) / ca.repmat(scale[:n], 1, total)
+    X = ca.vertcat(X, ca.MX.zeros(total - n, total)) * (duration / 2.0**squarings)
+    identity = ca.MX.eye(total)
+    E = identity + X / TAYLOR_DEGREE
+    for k in range(TAYLOR_DEGREE - 1, 0, -1):
+        E = identity + X @ E / k
+    for _ in range(squarings):
+        E = E @ E
+    return E[:n, :] * ca.repmat(scale[:n], 1, total) / ca.repmat(scale.T, n, 1)
+
+
+def _subtract_product(y: Any, x: Any, A: Any, T: Any) -> Any:
+    result = type(y)(y)
+    result[: x.shape[0]] = x - A @ T
+    return result
+
+
+def _delay(buffer: Any, value: Any, steps: Any) -> tuple[Any, Any, Any]:
+    history = ca.vertcat(value, buffer)
+    length = buffer.shape[0]
+    late, early = history[0], history[1]
+    for index in range(1, length):
+        late = ca.if_else(steps == index, history[index], late)
+        early = ca.if_else(steps == index, history[index + 1], early)
+    return history[:length], late, early
+
+
+def _guard(value: Any, bound: Any, held: Any) -> tuple[Any, Any]:
+    sound = ca.fabs(value) <= bound
+    return ca.if_else(sound, value, held), ca.if_else(sound, 1.0, 0.0)
+
+
+def _clip(value: Any, bound: Any) -> Any:
+    return ca.fmax(-bound, ca.fmin(bound, value))
+
+
+def _solve_box(K: Any, w: Any, m: Any) -> tuple[Any, Any]:
+    n = w.shape[0]
+    if n == 1:
+        T = _clip(w / K, m)
+    elif n == 2:
+        determinant = K[0, 0] * K[1, 1] - K[0, 1] * K[1, 0]
+        t2 = _clip((K[0, 0] * w[1] - K[1, 0] * w[0]) / determinant, m[1])
+        T1 = _clip((w[0] - K[0, 1] * t2) / K[0, 0], m[0])
+        T = ca.vertcat(T1, _clip((w[1] - K[1, 0] * T1) / K[1, 1], m[1]))
+    else:
+        raise ValueError(f"there is a closed form for up to {MAX_ELEMENTS} friction elements, got {n}")
+    w_plus = w - K @ T
+    return T, ca.vertcat(*[ca.if_else(ca.fabs(T[i]) < m[i], 0.0, w_plus[i]) for i in range(n)])
+
+
+CASADI_KERNELS: dict[str, Any] = {
+    "difference": lambda A, B: A - B,
+    "insert": _insert,
+    "cholesky_solve": lambda M, right: ca.solve(M, right, "ldl"),
+    "discretise": _discretise,
+    "multiply": lambda A, x: A @ x[: A.shape[1]],
+    "subtract_product": _subtract_product,
+    "delay": _delay,
+    "guard": _guard,
+    "solve_box": _solve_box,
+}

@@ -1,0 +1,37 @@
+"""The control design of a bed: law, gains and the emitted block."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ptgen.control.controller import ControllerBlock, controller_block
+from ptgen.control.decoupling import Decoupling, decouple
+from ptgen.control.tuning import Gains, gains
+from ptgen.mechanism.model import Model
+from ptgen.mechanism.reduction import ReducedModel
+from ptgen.testbed.testbed import Testbed
+
+__all__ = ["ControlDesign", "design_control"]
+
+
+@dataclass(frozen=True)
+class ControlDesign:
+    """Everything that the control of a bed consists of."""
+
+    decoupling: Decoupling
+    gains: Gains
+    controller: ControllerBlock
+
+
+def design_control(testbed: Testbed, full: Model, reduced: ReducedModel) -> ControlDesign:
+    """Design the controller for the roles and the wishes in the test bed file.
+
+    Raises
+    ------
+    ControlError
+        See `decouple`.
+    """
+    decoupling = decouple(reduced, testbed.roles)
+    tuned = gains(decoupling, full, testbed.tuning, reduced.modes_before)
+    block = controller_block(decoupling, tuned, testbed.tuning, full, testbed.sample_time)
+    return ControlDesign(decoupling, tuned, block)

@@ -1,0 +1,134 @@
+"""What can stand in the way of a decoupling law, explained, with roles that would work."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+import sympy as sp
+from numpy.typing import NDArray
+
+from ptgen.control.lie import OutputChain
+from ptgen.errors import ControlError, Problem
+from ptgen.mechanism.model import Model, evaluate_matrix
+from ptgen.testbed.testbed import Roles
+
+__all__ = ["check_degrees", "check_internal", "check_regular", "unmeasured", "with_advice"]
+
+_SINGULAR = 1e-9
+
+
+def check_degrees(chains: Sequence[OutputChain], roles: Roles) -> None:
+    """Raise if an output cannot be controlled by any machine, or contains an air-gap torque itself."""
+    problems = []
+    for machine, chain in zip((*roles.torque, *roles.speed), chains, strict=True):
+        where = f"control.torque.{machine}" if machine in roles.torque else "control.speed"
+        if chain.relative_degree is None:
+            what = f"no machine acts on {chain.name}"
+            problems.append(Problem(where, what, "choose another place for the torque reference"))
+        elif chain.relative_degree == 0:
+            what = (
+                f"the torque at {chain.name} contains an air-gap torque directly, "
+                "because only rigid parts lie between the place and a machine"
+            )
+            problems.append(
+                Problem(where, what, "choose a place behind the next shaft, such as a flange of the unit under test")
+            )
+        elif machine in roles.torque and chain.relative_degree != 2:
+            what = f"the torque at {chain.name} has relative degree {chain.relative_degree} instead of 2"
+            problems.append(Problem(where, what, "drop the inertia between the machine and the place in [reduction]"))
+    if problems:
+        raise ControlError(problems)
+
+
+def check_regular(matrix: sp.Matrix, values: Mapping[sp.Symbol, float], twists: int, torques: int) -> None:
+    """Raise if the decoupling matrix is singular."""
+    if _is_regular(evaluate_matrix(matrix, values)):
+        return
+    if torques > twists:
+        cause = (
+            f"{torques} machines control torques, but all torques hang on {twists} twist"
+            f"{'s' if twists != 1 else ''} of the reduced bed; with an open or slipping differential both of its "
+            "outputs carry the same torque up to friction"
+        )
+    else:
+        cause = "the machines that control torques cannot change these torques independently of the speeds"
+    raise ControlError(
+        Problem(
+            "control",
+            f"the decoupling matrix is singular: {cause}",
+            "let fewer machines control torques, and more control speeds",
+        )
+    )
+
+
+def check_internal(eigenvalues: NDArray[np.complex128]) -> None:
+    """Raise if the internal dynamics are not asymptotically stable."""
+    if len(eigenvalues) == 0:
+        return
+    size = max(1.0, float(np.abs(eigenvalues).max()))
+    unstable = [value for value in eigenvalues if value.real > -1e-9 * size]
+    if not unstable:
+        return
+    shown = ", ".join(f"{value.real:.3g}{value.imag:+.3g}j" for value in unstable)
+    what = (
+        f"{len(eigenvalues)} states stay behind the controlled quantities (internal dynamics) and are not "
+        f"asymptotically stable: eigenvalues {shown} 1/s; they would wind up or oscillate unseen"
+    )
+    raise ControlError(Problem("control", what, "let fewer machines control torques, and more control speeds"))
+
+
+def unmeasured(what: str, model: Model) -> ControlError:
+    """Return the error for a law that needs a state which no sensor gives."""
+    sensors = ", ".join(sensor.name for sensor in model.sensors)
+    return ControlError(
+        Problem(
+            "components",
+            f"{what} needs a state or a disturbance that no combination of the sensors gives ({sensors})",
+            "add a torque flange next to each machine that controls a speed",
+        )
+    )
+
+
+def _is_regular(matrix: NDArray[np.float64]) -> bool:
+    norms = np.linalg.norm(matrix, axis=1)
+    if not np.all(norms > 0):
+        return False
+    return bool(np.linalg.svd(matrix / norms[:, None], compute_uv=False)[-1] > _SINGULAR)
+
+
+def with_advice(
+    error: ControlError, machines: Sequence[str], roles: Roles, works: Callable[[Roles], bool]
+) -> ControlError:
+    """Return the error with a remedy that names roles that would work.
+
+    Parameters
+    ----------
+    error : ControlError
+    machines : sequence of str
+    roles : Roles
+        The roles that do not work.
+    works : callable
+        Tells whether other roles give a law.
+    """
+    found = list(itertools.islice((text for text in _candidates(machines, roles) if works(text[0])), 3))
+    if not found:
+        return error
+    remedy = "roles that would work: " + "; ".join(text for _, text in found)
+    return ControlError([replace(problem, remedy=remedy) for problem in error.problems])
+
+
+def _candidates(machines: Sequence[str], roles: Roles) -> Iterator[tuple[Roles, str]]:
+    """Yield the other assignments of the same places, then those with fewer torques."""
+    places = list(roles.torque.values())
+    for count in range(len(places), 0, -1):
+        for chosen in itertools.combinations(places, count):
+            for torque_machines in itertools.permutations(machines, count):
+                torque = dict(zip(torque_machines, chosen, strict=True))
+                speed = tuple(name for name in machines if name not in torque)
+                candidate = Roles(torque=torque, speed=speed)
+                if candidate != roles:
+                    text = ", ".join(f'{machine} = "{place}"' for machine, place in torque.items())
+                    yield candidate, f"torque {{ {text} }} with speed [{', '.join(speed)}]"

@@ -1,0 +1,156 @@
+"""Gains from quantities that an engineer knows: bandwidths, damping ratio, inertia that must be accelerated."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+import sympy as sp
+
+from ptgen.control.decoupling import Decoupling
+from ptgen.mechanism.model import LinearForm, Model, evaluate_matrix
+from ptgen.mechanism.modes import Mode
+from ptgen.testbed.testbed import Tuning
+
+__all__ = ["Gains", "gains"]
+
+
+@dataclass(frozen=True)
+class Gains:
+    """Gains of the controller.
+
+    Attributes
+    ----------
+    speed, speed_integral : mapping of str to float
+        Proportional (N m s/rad) and integral (N m/rad) gain of each speed-controlled machine (5.84).
+    torque_integral, conventional_integral : mapping of str to float
+        Integral gain (1/s) of each torque-controlled machine (5.99), with and without active damping.
+    damping : mapping of str to float
+        Damping (N m s/rad) of each torque-controlled machine (5.81).
+    inertia_estimate : mapping of str to float
+        Inertia (kg m^2) that the acceleration torque of each torque-controlled machine accounts for (5.78).
+    stiffness, natural_frequency : mapping of str to float
+        What each torque-controlled machine swings against (N m/rad), and how fast (rad/s) (5.79).
+    """
+
+    speed: Mapping[str, float]
+    speed_integral: Mapping[str, float]
+    torque_integral: Mapping[str, float]
+    conventional_integral: Mapping[str, float]
+    damping: Mapping[str, float]
+    inertia_estimate: Mapping[str, float]
+    stiffness: Mapping[str, float]
+    natural_frequency: Mapping[str, float]
+
+
+def gains(decoupling: Decoupling, full: Model, tuning: Tuning, modes: tuple[Mode, ...]) -> Gains:
+    r"""Return gains for the bandwidths and the damping ratio in `tuning`.
+
+    Speed: the plant ``1 / (I_m s)`` with :math:`k_p = I_m \omega_b` and :math:`k_i = k_p \omega_b / 4` has a double
+    pole at :math:`-\omega_b / 2`. Torque: the plant has gain one, so the integral gain is the bandwidth; without
+    active damping it may not exceed :math:`\zeta \omega` of the mode, half of what makes the loop unstable.
+    Damping: :math:`d = 2 \zeta \sqrt{c I}` (5.81).
+
+    Parameters
+    ----------
+    decoupling : Decoupling
+    full : Model
+        The full model; the inertia between machine and testing torque comes from it.
+    tuning : Tuning
+    modes : tuple of Mode
+        Modes of the full model.
+    """
+    rotors = {
+        torque.name: decoupling.values[decoupling.model.body_inertias[next(iter(torque.row))]]
+        for torque in decoupling.model.inputs
+    }
+    torque_machines = [decoupling.machines[i] for i in decoupling.actuators[: decoupling.torque_count]]
+    speed_machines = [decoupling.machines[i] for i in decoupling.actuators[decoupling.torque_count :]]
+    inertia = {**_accelerated_inertia(decoupling, full), **tuning.inertia_estimate}
+    stiffness = {
+        name: float(evaluate_matrix(sp.Matrix([[expression]]), decoupling.values)[0, 0])
+        for name, expression in zip(torque_machines, decoupling.stiffness, strict=True)
+    }
+    elastic = [mode for mode in modes if mode.frequency_hz > 0]
+    weak = min((2 * np.pi * mode.frequency_hz * mode.damping_ratio for mode in elastic), default=np.inf)
+    conventional = tuning.conventional_torque_bandwidth or min(float(weak), tuning.torque_bandwidth)
+    wanted = tuning.speed_bandwidth
+    return Gains(
+        speed={name: rotors[name] * wanted for name in speed_machines},
+        speed_integral={name: rotors[name] * wanted**2 / 4 for name in speed_machines},
+        torque_integral=dict.fromkeys(torque_machines, tuning.torque_bandwidth),
+        conventional_integral=dict.fromkeys(torque_machines, conventional),
+        damping={
+            name: 2 * tuning.damping_ratio * float(np.sqrt(stiffness[name] * inertia[name])) for name in torque_machines
+        },
+        inertia_estimate={name: inertia[name] for name in torque_machines},
+        stiffness=stiffness,
+        natural_frequency={name: float(np.sqrt(stiffness[name] / inertia[name])) for name in torque_machines},
+    )
+
+
+def _accelerated_inertia(decoupling: Decoupling, full: Model) -> dict[str, float]:
+    """Return the inertia for which the acceleration torque leaves the testing torque alone.
+
+    In steady acceleration of the whole bed, all twists constant and every controlled torque zero, the torque that
+    a torque-controlled machine needs is found from the full model; the law gives that torque per unit of
+    inertia. The thesis finds this value by hand (source, Section 5.8.1).
+    """
+    torque_machines = decoupling.actuators[: decoupling.torque_count]
+    speed_machines = decoupling.actuators[decoupling.torque_count :]
+    if not speed_machines:
+        return {decoupling.machines[i]: decoupling.values[s] for i, s in _estimates(decoupling)}
+    needed = _steady_torques(decoupling, full)
+    per_inertia = _law_torques(decoupling)
+    result = {}
+    for index, machine in enumerate(torque_machines):
+        weights = per_inertia[index]
+        if not np.any(weights):
+            result[decoupling.machines[machine]] = decoupling.values[decoupling.inertia_estimate[index]]
+            continue
+        result[decoupling.machines[machine]] = float(weights @ needed[index] / (weights @ weights))
+    return result
+
+
+def _estimates(decoupling: Decoupling) -> list[tuple[int, sp.Symbol]]:
+    return list(zip(decoupling.actuators[: decoupling.torque_count], decoupling.inertia_estimate, strict=True))
+
+
+def _law_torques(decoupling: Decoupling) -> list[np.ndarray]:
+    """Return each torque machine's acceleration torque per inertia and per acceleration of each speed machine."""
+    speed_machines = decoupling.actuators[decoupling.torque_count :]
+    rows = []
+    for machine, symbol in _estimates(decoupling):
+        row = []
+        for position, other in enumerate(speed_machines, start=decoupling.torque_count):
+            rotor = decoupling.model.body_inertias[next(iter(decoupling.model.inputs[other].row))]
+            share = sp.diff(decoupling.law.P[machine, position], symbol) * rotor
+            row.append(float(evaluate_matrix(sp.Matrix([[share]]), decoupling.values)[0, 0]))
+        rows.append(np.array(row))
+    return rows
+
+
+def _steady_torques(decoupling: Decoupling, full: Model) -> list[np.ndarray]:
+    """Return the torque of each torque machine per acceleration of each speed machine, from the full model."""
+    numeric = full.numeric()
+    n_z, n_e, n_u = len(full.coordinates), len(full.twists), len(full.inputs)
+    E = numeric.twist_rows
+    torque_machines = decoupling.actuators[: decoupling.torque_count]
+    speed_machines = decoupling.actuators[decoupling.torque_count :]
+    # unknowns: accelerations (n_z), twists (n_e), air-gap torques (n_u)
+    equations = [np.hstack([numeric.mass, E.T @ numeric.stiffness, -numeric.input_rows.T])]
+    equations.append(np.hstack([E, np.zeros((n_e, n_e + n_u))]))
+    for place in decoupling.outputs[: decoupling.torque_count]:
+        equations.append(_row(full.signals[place], full))
+    right = [np.zeros((sum(len(block) for block in equations), len(speed_machines)))]
+    for machine in speed_machines:
+        row = evaluate_matrix(full.velocity_rows[next(iter(full.inputs[machine].row))], full.values)
+        equations.append(np.hstack([row, np.zeros((1, n_e + n_u))]))
+    right.append(np.eye(len(speed_machines)))
+    solution, *_ = np.linalg.lstsq(np.vstack(equations), np.vstack(right), rcond=None)
+    return [solution[n_z + n_e + machine] for machine in torque_machines]
+
+
+def _row(form: LinearForm, full: Model) -> np.ndarray:
+    return np.hstack([evaluate_matrix(part, full.values) for part in (form.a, form.e, form.u)])

@@ -1,0 +1,92 @@
+"""All stages of a bed in a row, each computed once and only when it is asked for."""
+
+from __future__ import annotations
+
+from functools import cached_property
+from pathlib import Path
+
+from ptgen.block.block import Block
+from ptgen.control.design import ControlDesign, design_control
+from ptgen.errors import PtgenError
+from ptgen.mechanism.assembly import assemble
+from ptgen.mechanism.mechanism import Mechanism
+from ptgen.mechanism.model import Model
+from ptgen.mechanism.reduction import ReducedModel, reduce_mechanism
+from ptgen.plant.plant import plant_block
+from ptgen.testbed import Testbed, load
+
+__all__ = ["Project"]
+
+
+class Project:
+    """The way from a test bed to its blocks.
+
+    Parameters
+    ----------
+    testbed : Testbed
+
+    Raises
+    ------
+    PtgenError
+        From each stage; problems then carry the file's name.
+    """
+
+    def __init__(self, testbed: Testbed) -> None:
+        self.testbed = testbed
+
+    @classmethod
+    def read(cls, path: str | Path) -> Project:
+        """Read a test bed file."""
+        return cls(load(path))
+
+    @cached_property
+    def mechanism(self) -> Mechanism:
+        """The elements of all components."""
+        return Mechanism.of(self.testbed)
+
+    @cached_property
+    def model(self) -> Model:
+        """The full model, friction velocities first."""
+        with _located(self.testbed.file):
+            return assemble(self.mechanism)
+
+    @cached_property
+    def reduced(self) -> ReducedModel:
+        """The reduced model."""
+        with _located(self.testbed.file):
+            return reduce_mechanism(self.mechanism, self.testbed.reduction, self.model)
+
+    @cached_property
+    def design(self) -> ControlDesign:
+        """The control design."""
+        with _located(self.testbed.file):
+            return design_control(self.testbed, self.model, self.reduced)
+
+    @cached_property
+    def plant(self) -> Block:
+        """The plant's block."""
+        with _located(self.testbed.file):
+            return plant_block(self.model, self.testbed.sample_time)
+
+    @property
+    def controller(self) -> Block:
+        """The controller's block."""
+        return self.design.controller.block
+
+    def blocks(self) -> tuple[Block, Block]:
+        """Return controller and plant."""
+        return self.controller, self.plant
+
+
+class _located:  # noqa: N801  reads as a phrase: with _located(file)
+    """Gives errors of later stages the file that they come from."""
+
+    def __init__(self, file: str) -> None:
+        self._file = file
+
+    def __enter__(self) -> None:
+        return None
+
+    def __exit__(self, kind: object, error: BaseException | None, trace: object) -> None:
+        if isinstance(error, PtgenError) and not error.file:
+            raise type(error)(error.problems, self._file) from None
