@@ -30,7 +30,6 @@ __all__ = [
     "Statement",
     "element",
     "parse_element",
-    "zeros_of",
 ]
 
 Section = Literal["prepare", "step", "measure"]

@@ -234,6 +234,7 @@ CASADI_KERNELS: dict[str, Any] = {
     "insert": _insert,
     "cholesky_solve": lambda M, right: ca.solve(M, right, "ldl"),
     "discretise": _discretise,
+    "require_definite": lambda K: (),
     "multiply": lambda A, x: A @ x[: A.shape[1]],
     "subtract_product": _subtract_product,
     "delay": _delay,

@@ -24,7 +24,20 @@ TAYLOR_DEGREE = 18
 
 def cholesky_solve(M: Array, right: Array) -> Array:
     """Solve ``M X = right`` for symmetric positive definite M (n, n), right (n, m)."""
-    return np.linalg.solve(M, right)
+    return np.asarray(np.linalg.solve(M, right), dtype=np.float64)
+
+
+def require_definite(K: Array) -> tuple[()]:
+    """Check that K (n, n) is positive definite.
+
+    Raises
+    ------
+    ValueError
+        If it is not: a mode of the bed is too fast for the step.
+    """
+    if np.any(np.linalg.eigvalsh(K)[..., 0] <= 0):
+        raise ValueError("friction matrix is not positive definite: a mode of the bed is too fast for the step")
+    return ()
 
 
 def insert(target: Array, source: Array, *numbers: int) -> Array:
@@ -57,7 +70,7 @@ def discretise(A: Array, scale: Array, duration: Array, *numbers: int) -> Array:
         E = identity + X @ E / k
     for _ in range(squarings):
         E = E @ E
-    return E[..., :n, :] * scale[..., :n, None] / scale[..., None, :]
+    return np.asarray(E[..., :n, :] * scale[..., :n, None] / scale[..., None, :], dtype=np.float64)
 
 
 def multiply(A: Array, x: Array) -> Array:
@@ -103,6 +116,7 @@ KERNELS: dict[str, Callable[..., Any]] = {
     "insert": insert,
     "cholesky_solve": cholesky_solve,
     "discretise": discretise,
+    "require_definite": require_definite,
     "multiply": multiply,
     "subtract_product": subtract_product,
     "delay": delay,

@@ -196,10 +196,9 @@ class _Controller:
             )
             sound.append((number, _symbol(f"{name}_sound")))
             result[name] = _symbol(f"{name}_held")
-        first = sp.Integer(0)
-        for number, flag in reversed(sound):
-            first = sp.Piecewise((sp.Integer(number), flag < sp.Rational(1, 2)), (first, True))
-        self._assign("fault", sp.Piecewise((fault, fault > sp.Rational(1, 2)), (first, True)), "latched")
+        for number, flag in sound:
+            unseen = sp.And(fault < sp.Rational(1, 2), flag < sp.Rational(1, 2))
+            self._assign("fault", sp.Piecewise((sp.Integer(number), unseen), (fault, True)), "the first fault is latched")
         return result
 
     def _plausible(self, name: str) -> float:

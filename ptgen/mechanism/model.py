@@ -162,7 +162,7 @@ class Model:
         solved = exact.solve(self.mass, joined)
         ends = np.cumsum([0, *widths])
         parts = [solved[:, int(start) : int(end)] for start, end in itertools.pairwise(ends)]
-        return LinearForm(*parts, a=sp.zeros(*self.mass.shape))
+        return LinearForm(*parts, sp.zeros(*self.mass.shape))
 
     def without_acceleration(self, form: LinearForm) -> LinearForm:
         """Return `form` with the accelerations replaced by the equations of motion."""
@@ -178,7 +178,7 @@ class Model:
                 (form.f, rates.f),
             )
         ]
-        return LinearForm(*parts, a=sp.zeros(1, len(self.coordinates)))
+        return LinearForm(*parts, sp.zeros(1, len(self.coordinates)))
 
     def numeric(self, values: Mapping[sp.Symbol, float] | None = None) -> NumericModel:
         """Evaluate all matrices; `values` override the parameters of the bed."""

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import sympy as sp
@@ -100,7 +100,8 @@ class _Plant:
     def _check_frictions(self) -> None:
         names = [friction.name for friction in self.model.frictions]
         if len(names) > MAX_ELEMENTS:
-            what = f"has {len(names)} friction elements ({', '.join(names)}), more than the {MAX_ELEMENTS} that can be solved"
+            listed = ", ".join(names)
+            what = f"has {len(names)} friction elements ({listed}), more than the {MAX_ELEMENTS} that can be solved"
             raise ModelError(Problem("components", what, "leave some of them out"))
         rows = self.model.friction_rows
         for i, name in enumerate(names):
@@ -186,8 +187,6 @@ class _Plant:
         return [torque.name for torque in self.model.inputs]
 
     def _bounded(self, signal: Signal) -> Signal:
-        from dataclasses import replace
-
         if signal.name.endswith("_dead_time"):
             return replace(signal, most=(DELAY_CAPACITY - 1) * self.sample_time)
         return signal
@@ -242,6 +241,7 @@ class _Plant:
                 for i in range(n_f)
                 for j in range(n_f)
             ]
+            statements.append(Call("require_definite", (), ("K",), "friction torques are unique"))
         for name, form in self._accelerated().items():
             for j in range(n_z + n_e + n_u + n_f):
                 total = sum((form.a[k] * element("rates", k, j) for k in range(n_z) if form.a[k] != 0), sp.Integer(0))

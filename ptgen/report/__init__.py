@@ -1,0 +1,1 @@
+"""What people read: texts, figures and drawings of every stage."""

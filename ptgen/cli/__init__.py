@@ -1,0 +1,5 @@
+"""The command line: ``ptgen check|show|derive|modal|generate|build|simulate|schema``."""
+
+from ptgen.cli.application import app, main
+
+__all__ = ["app", "main"]

@@ -1,0 +1,34 @@
+"""Arguments and options that several commands share."""
+
+from __future__ import annotations
+
+from enum import Enum
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+__all__ = ["AsJson", "BedFile", "ControllerKind", "Directory", "Precision", "PrecisionOption"]
+
+BedFile = Annotated[Path, typer.Argument(metavar="FILE", help="The test bed file (.toml).", show_default=False)]
+AsJson = Annotated[bool, typer.Option("--json", help="Print JSON for programs, and nothing else, on stdout.")]
+Directory = Annotated[
+    Path, typer.Option("--output", "-o", metavar="DIR", help="The folder to write to.", show_default=False)
+]
+
+
+class Precision(str, Enum):
+    """Floating-point type of the emitted code."""
+
+    double = "double"
+    float = "float"
+
+
+PrecisionOption = Annotated[Precision, typer.Option("--precision", help="Floating-point type of the emitted code.")]
+
+
+class ControllerKind(str, Enum):
+    """The controllers that a scenario can be run with."""
+
+    decoupling = "decoupling"
+    conventional = "conventional"

@@ -1,0 +1,113 @@
+"""The command that runs scenarios: simulate."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+from rich import box
+from rich.table import Table
+from rich.text import Text
+
+from ptgen.cli.options import AsJson, BedFile, ControllerKind
+from ptgen.cli.outcome import reported
+from ptgen.cli.output import messages, print_json, print_parts
+
+if TYPE_CHECKING:
+    from ptgen.simulate.run import Recording
+
+__all__ = ["simulate"]
+
+
+@reported
+def simulate(
+    file: BedFile,
+    scenario: Annotated[
+        Path, typer.Option("--scenario", "-s", metavar="SCENARIO", help="The scenario file (.toml).", show_default=False)
+    ],
+    controller: Annotated[
+        ControllerKind, typer.Option("--controller", help="The controller that the bed runs with.")
+    ] = ControllerKind.decoupling,
+    output: Annotated[
+        Path | None, typer.Option("--output", "-o", metavar="CSV", help="Write the recording to this file (.csv).")
+    ] = None,
+    plot: Annotated[
+        Path | None, typer.Option("--plot", metavar="FIGURE", help="Draw the recording (.svg, .png or .pdf).")
+    ] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Compile controller and plant of a bed and run a scenario with them."""
+    from ptgen.project import Project
+    from ptgen.report.figures import check_figure, save_figure
+    from ptgen.report.writing import check_destination
+    from ptgen.simulate.build import build
+    from ptgen.simulate.run import simulate as run
+    from ptgen.testbed import load_scenario
+
+    if output is not None:
+        check_destination(output, (".csv",), "--output")
+    if plot is not None:
+        check_figure(plot, "--plot")
+    project = Project.read(file)
+    course = load_scenario(scenario, project.testbed)
+    with _progress(course.title or course.name) as (show, advance):
+        show("compile")
+        library = build(project)
+        show("run")
+        recording = run(project, course, controller=controller.value, library=library, progress=advance)
+    if output is not None:
+        recording.write_csv(output)
+    if plot is not None:
+        from ptgen.report.recording_figure import recording_figure
+
+        title = f"{project.testbed.title} – {course.title or course.name} ({controller.value} controller)"
+        save_figure(recording_figure(recording, project, title=title), plot)
+    if as_json:
+        named = {"name": project.testbed.name, "scenario": course.name, "controller": controller.value}
+        print_json({**named, **recording.summary()})
+    else:
+        print_parts(_summary(recording))
+
+
+@contextmanager
+def _progress(title: str) -> Iterator[tuple[Callable[[str], None], Callable[[float], None]]]:
+    """Show a progress bar on stderr, if that is a terminal.
+
+    Yields
+    ------
+    show : callable
+        Names the work that is going on.
+    advance : callable
+        Takes the share that is done, 0 to 1.
+    """
+    from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeRemainingColumn
+
+    console = messages()
+    columns = (TextColumn("{task.description}"), BarColumn(), TaskProgressColumn(), TimeRemainingColumn())
+    with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as bar:
+        task = bar.add_task(title, total=1.0)
+
+        def show(work: str) -> None:
+            bar.update(task, description=f"{title}: {work}")
+
+        def advance(share: float) -> None:
+            bar.update(task, completed=share)
+
+        yield show, advance
+
+
+def _summary(recording: Recording) -> list[Table | str]:
+    from ptgen.report.quantities import readable
+
+    document = recording.summary()
+    table = Table("signal", "min", "max", "rms", "final", box=box.SIMPLE_HEAD, pad_edge=False)
+    for column in table.columns[1:]:
+        column.justify = "right"
+    for name, numbers in document["signals"].items():
+        unit = recording.units.get(name, "")
+        table.add_row(Text(name), *(readable(numbers[key], unit, 4) for key in ("min", "max", "rms", "final")))
+    speed = f"{recording.steps} steps in {recording.wall_s:.3g} s, {recording.realtime_factor:.4g} times real time"
+    return [speed, table]

@@ -1,0 +1,239 @@
+"""A block as C: fields of its structs, and the lines of its sections."""
+
+from __future__ import annotations
+
+import textwrap
+from dataclasses import dataclass
+
+from ptgen.block.block import Assign, Block, Call, Section, Signal, Statement, parse_element
+from ptgen.emit.c_expressions import CExpressions, Precision, literal
+
+__all__ = ["CBlock", "CField"]
+
+_FAILURES = {
+    "cholesky_solve": "mass_matrix",
+    "discretise": "exponential_range",
+    "require_definite": "friction_matrix",
+}
+
+
+_WIDTH = 112
+
+
+@dataclass(frozen=True)
+class CField:
+    """A field of a struct: its declaration and its comment."""
+
+    name: str
+    dimensions: str
+    comment: str
+    initial: str
+
+
+def _wrapped(line: str) -> list[str]:
+    """Break a long statement between its tokens."""
+    return textwrap.wrap(line, _WIDTH, subsequent_indent="    ", break_long_words=False) or [line]
+
+
+def even(count: int) -> int:
+    """Round up to an even number: arrays are padded so that loops run in pairs."""
+    return count + count % 2
+
+
+class CBlock:
+    """What the templates need of a block.
+
+    Matrices are stored by columns, ``M[column][row]``, with an even number of rows, so that a product with a
+    vector runs down contiguous memory.
+
+    Parameters
+    ----------
+    block : Block
+    prefix : str
+        Name of the bed.
+    precision : {"double", "float"}
+    """
+
+    def __init__(self, block: Block, prefix: str, precision: Precision) -> None:
+        self.block = block
+        self.prefix = prefix
+        self.name = f"{prefix}_{block.name}"
+        self.precision: Precision = precision
+        self.description = block.description
+        self.parameters = [self._field(signal) for signal in block.parameters]
+        self.inputs = [self._field(signal) for signal in block.inputs]
+        self.outputs = [self._field(signal) for signal in block.outputs]
+        self.states = [self._field(signal) for signal in block.states]
+        self.derived = [self._field(signal) for signal in block.derived]
+        self.faults = block.faults
+        self.has_measure = bool(block.measure)
+
+    # -- declarations
+
+    def _field(self, signal: Signal) -> CField:
+        value = literal(signal.value, self.precision)
+        unit = f"{signal.description} ({signal.unit})" if signal.unit else signal.description
+        if signal.entries:
+            unit += ":"
+        return CField(signal.name, self._dimensions(signal.shape), unit, value)
+
+    def entry_comments(self, name: str) -> list[str]:
+        """Return the meaning of each entry of an array, for the header."""
+        signal = self.block.signal(name)
+        return [f"[{i}] {entry}" for i, entry in enumerate(signal.entries)] if signal else []
+
+    @staticmethod
+    def _dimensions(shape: tuple[int, ...]) -> str:
+        if not shape:
+            return ""
+        if len(shape) == 1:
+            return f"[{even(shape[0])}]"
+        return f"[{shape[1]}][{even(shape[0])}]"
+
+    def initial_states(self) -> list[tuple[str, str]]:
+        """Return the states that do not start at zero."""
+        return [
+            (signal.name, literal(signal.value, self.precision))
+            for signal in self.block.states
+            if signal.value != 0 and not signal.shape
+        ]
+
+    def parameter_limits(self) -> list[dict[str, str]]:
+        """Return the range of each parameter: lower and upper bound, and whether the lower one, or zero, is out."""
+        rows = []
+        for signal in self.block.parameters:
+            rows.append(
+                {
+                    "name": signal.name,
+                    "least": f"-{self._largest}" if signal.least is None else literal(signal.least, self.precision),
+                    "most": self._largest if signal.most is None else literal(signal.most, self.precision),
+                    "open": "0" if signal.least_allowed or signal.least is None else "1",
+                    "not_zero": "1" if signal.least is None and not signal.least_allowed else "0",
+                }
+            )
+        return rows
+
+    @property
+    def _largest(self) -> str:
+        return "FLT_MAX" if self.precision == "float" else "DBL_MAX"
+
+    def failures(self) -> list[str]:
+        """Return the names of the ways in which preparation can fail."""
+        used = {statement.kernel for statement in self.block.prepare if isinstance(statement, Call)}
+        return [name for kernel, name in _FAILURES.items() if kernel in used]
+
+    # -- statements
+
+    def lines(self, section: Section) -> list[str]:
+        """Return the body of a section, without indentation."""
+        statements = self.block.statements(section)
+        result = [f"{self.prefix}_real {name}{dimensions};" for name, dimensions in self._arrays(section)]
+        result += [f"{self.prefix}_zero(sizeof {name}, {name});" for name, _ in self._arrays(section)]
+        if result:
+            result.append("")
+        declared: set[str] = set()
+        printer = CExpressions(self.prefix, self.precision, self._place)
+        source = ""
+        for statement in statements:
+            if statement.source and statement.source != source:
+                result.append(f"/* {statement.source} */")
+            source = statement.source or source
+            result += [
+                part for line in self._statement(statement, printer, declared) for part in _wrapped(line)
+            ]
+        return result
+
+    def _arrays(self, section: Section) -> list[tuple[str, str]]:
+        used: set[str] = set()
+        for statement in self.block.statements(section):
+            if isinstance(statement, Assign):
+                names = [statement.target, *(symbol.name for symbol in statement.expression.free_symbols)]
+            else:
+                names = [*statement.outputs, *statement.inputs]
+            used |= {parse_element(name)[0] for name in names}
+        return [(s.name, self._dimensions(s.shape)) for s in self.block.arrays if s.name in used]
+
+    def uses(self, section: Section, kind: str) -> bool:
+        """Return whether a section touches the struct of `kind`."""
+        names = {signal.name for signal in getattr(self.block, kind)}
+        for statement in self.block.statements(section):
+            if isinstance(statement, Assign):
+                touched = [statement.target, *(symbol.name for symbol in statement.expression.free_symbols)]
+            else:
+                touched = [*statement.outputs, *statement.inputs]
+            if names & {parse_element(name)[0] for name in touched}:
+                return True
+        return False
+
+    def _statement(self, statement: Statement, printer: CExpressions, declared: set[str]) -> list[str]:
+        if isinstance(statement, Assign):
+            place = self._place(statement.target)
+            text = printer.doprint(statement.expression)
+            if place == statement.target and "[" not in place and place not in declared:
+                declared.add(place)
+                return [f"const {self.prefix}_real {place} = {text};"]
+            return [f"{place} = {text};"]
+        return self._call(statement, declared)
+
+    def _call(self, call: Call, declared: set[str]) -> list[str]:
+        lines = []
+        arguments = [self._argument(name, address=False) for name in call.inputs]
+        for name in call.outputs:
+            if self.block.signal(parse_element(name)[0]) is None and name not in declared:
+                declared.add(name)
+                lines.append(f"{self.prefix}_real {name};")
+            if name not in call.inputs or not self._is_array(name):
+                arguments.append(self._argument(name, address=True))
+        numbers = [*self._sizes(call), *(str(number) for number in call.numbers)]
+        text = f"{self.prefix}_{call.kernel}({', '.join([*numbers, *arguments])})"
+        if call.kernel in _FAILURES:
+            lines += [f"if (!{text}) {{", f"    return {self.name}_{_FAILURES[call.kernel]};", "}"]
+        else:
+            lines.append(f"{text};")
+        return lines
+
+    def _sizes(self, call: Call) -> list[str]:
+        """Return the sizes that a kernel needs: rows and columns of its first matrix, then lengths."""
+        shapes = [self._shape(name) for name in (*call.inputs, *call.outputs)]
+        if call.kernel == "insert":
+            target, source = shapes[0], shapes[1]
+            return [str(source[0]), str(even(target[0])), str(even(source[0]))]
+        if call.kernel == "cholesky_solve":
+            return [str(shapes[0][0]), str(shapes[1][1])]
+        if call.kernel in ("discretise", "difference", "multiply"):
+            return [str(shapes[0][0]), str(shapes[0][1])]
+        if call.kernel == "subtract_product":
+            return [str(shapes[2][0]), str(shapes[2][1])]
+        if call.kernel == "delay":
+            return [str(shapes[0][0])]
+        if call.kernel in ("solve_box", "require_definite"):
+            return [str(shapes[0][0])]
+        return []
+
+    def _shape(self, name: str) -> tuple[int, ...]:
+        signal = self.block.signal(name)
+        return signal.shape if signal is not None else ()
+
+    def _is_array(self, name: str) -> bool:
+        return bool(self._shape(name))
+
+    def _argument(self, name: str, *, address: bool) -> str:
+        place = self._place(name)
+        shape = self._shape(name)
+        if len(shape) == 2:
+            return f"&{place}[0][0]"
+        return f"&{place}" if address and not shape else place
+
+    def _place(self, name: str) -> str:
+        base, indices = parse_element(name)
+        subscripts = "".join(f"[{index}]" for index in reversed(indices))
+        for letter, kind in (
+            ("p->", "parameters"),
+            ("in->", "inputs"),
+            ("out->", "outputs"),
+            ("s->", "states"),
+            ("s->", "derived"),
+        ):
+            if any(signal.name == base for signal in getattr(self.block, kind)):
+                return f"{letter}{base}{subscripts}"
+        return f"{base}{subscripts}"

@@ -1,0 +1,62 @@
+"""Writing files so that nobody ever sees half of one."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Mapping
+from pathlib import Path
+
+from ptgen.errors import Problem, PtgenError
+
+__all__ = ["write_file", "write_files"]
+
+
+def write_file(path: Path, content: str | bytes) -> None:
+    """Write `content` to a temporary file beside `path`, then rename it.
+
+    Raises
+    ------
+    PtgenError
+        If the folder does not exist or cannot be written.
+    """
+    data = content.encode("utf-8") if isinstance(content, str) else content
+    try:
+        handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
+        temporary = Path(name)
+        try:
+            with os.fdopen(handle, "wb") as stream:
+                stream.write(data)
+            temporary.chmod(0o644)
+            temporary.replace(path)
+        except BaseException:
+            temporary.unlink(missing_ok=True)
+            raise
+    except OSError as error:
+        what = f"cannot be written ({error.strerror or error})"
+        raise PtgenError(Problem("", what, "check that the folder exists and that you may write there"), str(path)) from None
+
+
+def write_files(directory: Path, contents: Mapping[str, str | bytes]) -> list[Path]:
+    """Write several files below `directory`, which is made if needed; return their paths.
+
+    Files that are already there with the same content keep their time, so that nothing is compiled anew.
+
+    Raises
+    ------
+    PtgenError
+        As `write_file`.
+    """
+    paths = []
+    for name, content in contents.items():
+        path = directory / name
+        data = content.encode("utf-8") if isinstance(content, str) else content
+        try:
+            path.parent.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            what = f"cannot be made ({error.strerror or error})"
+            raise PtgenError(Problem("", what, "choose another output folder"), str(path.parent)) from None
+        if not path.is_file() or path.read_bytes() != data:
+            write_file(path, data)
+        paths.append(path)
+    return paths

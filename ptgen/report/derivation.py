@@ -1,0 +1,187 @@
+"""The derivation of a bed's control, from the model to the law: what `ptgen derive` shows, before it is written."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+import sympy as sp
+from numpy.typing import NDArray
+
+from ptgen.control.decoupling import Decoupling
+from ptgen.elements import SensorKind
+from ptgen.mechanism.model import Model
+from ptgen.mechanism.modes import Mode
+from ptgen.mechanism.reduction import AppliedRule
+from ptgen.plant.plant import signal_name
+from ptgen.project import Project
+from ptgen.report.formulas import Equation, Kind, Term
+from ptgen.report.motion import Motion, motion
+
+__all__ = ["Derivation", "Gain", "derivation"]
+
+
+@dataclass(frozen=True)
+class Gain:
+    """A gain of the controller in SI units."""
+
+    machine: str
+    description: str
+    value: float
+    unit: str
+
+
+@dataclass(frozen=True)
+class Derivation:
+    """All parts of the derivation.
+
+    Attributes
+    ----------
+    title, name : str
+    model, reduced : Model
+    motion, reduced_motion : Motion
+        Equations of motion of both.
+    rules : tuple of AppliedRule
+    modes_before, modes_after : tuple of Mode
+    definitions : mapping of Symbol to Expr
+        Equivalent shafts, of which each is made from those before it.
+    values : dict of Symbol to float
+        Value of every parameter.
+    decoupling : Decoupling
+    law : mapping of str to Equation
+        The law of each machine; each term tells what it is there for.
+    estimates : tuple of Equation
+        Controlled torques from sensors.
+    gains : tuple of Gain
+    conventional : mapping of str to float
+        Parameters that make the controller the conventional one.
+    """
+
+    title: str
+    name: str
+    model: Model
+    reduced: Model
+    motion: Motion
+    reduced_motion: Motion
+    rules: tuple[AppliedRule, ...]
+    modes_before: tuple[Mode, ...]
+    modes_after: tuple[Mode, ...]
+    definitions: Mapping[sp.Symbol, sp.Expr]
+    reduced_parameters: Mapping[str, float]
+    values: dict[sp.Symbol, float]
+    decoupling: Decoupling
+    law: Mapping[str, Equation]
+    estimates: tuple[Equation, ...]
+    gains: tuple[Gain, ...]
+    conventional: Mapping[str, float]
+
+    @property
+    def internal_eigenvalues(self) -> NDArray[np.complex128]:
+        """Eigenvalues of the internal dynamics (1/s)."""
+        return self.decoupling.internal_eigenvalues
+
+    @property
+    def used_definitions(self) -> dict[sp.Symbol, sp.Expr]:
+        """Definitions of the equivalent shafts that the reduced model or the law needs, damping left out."""
+        return {symbol: made for symbol, made in self.definitions.items() if symbol.name.endswith("_stiffness")}
+
+
+def derivation(project: Project) -> Derivation:
+    """Collect the derivation of a bed."""
+    reduced, design = project.reduced, project.design
+    decoupling = design.decoupling
+    return Derivation(
+        title=project.testbed.title,
+        name=project.testbed.name,
+        model=project.model,
+        reduced=reduced.model,
+        motion=motion(project.model),
+        reduced_motion=motion(reduced.model),
+        rules=reduced.rules,
+        modes_before=reduced.modes_before,
+        modes_after=reduced.modes_after,
+        definitions=reduced.definitions,
+        reduced_parameters=reduced.parameters,
+        values={**project.model.values, **decoupling.values},
+        decoupling=decoupling,
+        law=_laws(decoupling),
+        estimates=_estimates(decoupling),
+        gains=_gains(project),
+        conventional=design.controller.conventional,
+    )
+
+
+def _virtual(decoupling: Decoupling, row: sp.Matrix) -> list[tuple[sp.Expr, str]]:
+    """Return coefficients and machines of the virtual inputs in a row over the outputs."""
+    owners = [decoupling.machines[machine] for machine in decoupling.actuators]
+    return [(sp.factor(row[k]), name) for k, name in enumerate(owners) if row[k] != 0]
+
+
+def _laws(decoupling: Decoupling) -> dict[str, Equation]:
+    """Return the law of each machine: its own controller first, then the others, then the sensors."""
+    torque_machines = {decoupling.machines[i] for i in decoupling.actuators[: decoupling.torque_count]}
+    kinds = {sensor.name: sensor.kind for sensor in decoupling.model.sensors}
+    laws = {}
+    for index, name in enumerate(decoupling.machines):
+        controls_torque = name in torque_machines
+        own = "output of its own torque controller" if controls_torque else "output of its own speed controller"
+        virtual = _virtual(decoupling, decoupling.law.P[index, :])
+        terms = [Term(c, Kind.SIGNAL, f"v_{other}", own) for c, other in virtual if other == name]
+        for coefficient, other in virtual:
+            if other != name:
+                note = f"decoupling from the torque control of {other}"
+                if other not in torque_machines:
+                    note = f"acceleration torque: what the bed needs when {other} accelerates"
+                terms.append(Term(coefficient, Kind.SIGNAL, f"v_{other}", note))
+        for position, sensor in enumerate(decoupling.sensors):
+            coefficient = decoupling.law.R[index, position]
+            if coefficient == 0:
+                continue
+            if coefficient.free_symbols & set(decoupling.damping):
+                note = "active damping"
+            elif kinds[sensor] is SensorKind.TORQUE and not controls_torque:
+                note = "load torque compensation"
+            else:
+                note = "decoupling by a measured signal"
+            terms.append(Term(sp.factor(coefficient), Kind.SIGNAL, sensor, note))
+        laws[name] = Equation((Term(sp.Integer(1), Kind.AIR_GAP, name),), tuple(terms))
+    return laws
+
+
+def _estimates(decoupling: Decoupling) -> tuple[Equation, ...]:
+    """Return every controlled torque as a sum of measured signals."""
+    result = []
+    for index in range(decoupling.torque_count):
+        terms = [
+            Term(sp.factor(coefficient), Kind.SIGNAL, sensor, "measured")
+            for coefficient, sensor in zip(decoupling.law.estimate_sensors[index, :], decoupling.sensors, strict=True)
+            if coefficient != 0
+        ]
+        terms += [
+            Term(coefficient, Kind.SIGNAL, f"v_{name}", "torque that accelerates the parts in between")
+            for coefficient, name in _virtual(decoupling, decoupling.law.estimate_virtual[index, :])
+        ]
+        left = Term(sp.Integer(1), Kind.SIGNAL, signal_name(decoupling.outputs[index]))
+        result.append(Equation((left,), tuple(terms)))
+    return tuple(result)
+
+
+def _gains(project: Project) -> tuple[Gain, ...]:
+    found, machines = project.design.gains, project.testbed.machines
+    wanted = (
+        (found.stiffness, "stiffness that it swings against", "N m/rad"),
+        (found.natural_frequency, "natural frequency of that motion", "rad/s"),
+        (found.damping, "active damping", "N m s/rad"),
+        (found.inertia_estimate, "inertia that it accelerates", "kg m^2"),
+        (found.torque_integral, "integral gain of the torque control", "1/s"),
+        (found.conventional_integral, "the same, conventional controller", "1/s"),
+        (found.speed, "proportional gain of the speed control", "N m s/rad"),
+        (found.speed_integral, "integral gain of the speed control", "N m/rad"),
+    )
+    return tuple(
+        Gain(machine, description, table[machine], unit)
+        for machine in machines
+        for table, description, unit in wanted
+        if machine in table
+    )

@@ -1,0 +1,177 @@
+"""Formulas as people read them: sums of coefficient times quantity, as text and as LaTeX."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from enum import Enum
+
+import sympy as sp
+
+__all__ = ["Equation", "Kind", "Term", "latex_expression", "latex_name", "terms_of", "text_expression"]
+
+
+class Kind(Enum):
+    """What a variable of a formula is; text and LaTeX form."""
+
+    VELOCITY = ("ω({})", r"\omega_{{{}}}")
+    ACCELERATION = ("dω({})/dt", r"\dot\omega_{{{}}}")
+    TWIST = ("φ({})", r"\Delta\varphi_{{{}}}")
+    RATE = ("dφ({})/dt", r"\Delta\dot\varphi_{{{}}}")
+    AIR_GAP = ("T_ag({})", r"T_{{\mathrm{{ag}},{}}}")
+    SHAFT = ("T({})", r"T_{{{}}}")
+    FRICTION = ("T_fr({})", r"T_{{\mathrm{{fr}},{}}}")
+    SIGNAL = ("{}", "{}")
+
+
+@dataclass(frozen=True)
+class Term:
+    """A coefficient times a variable; `note` says what the term is there for."""
+
+    coefficient: sp.Expr
+    kind: Kind
+    name: str
+    note: str = ""
+
+    def text(self) -> str:
+        """Return the variable as text."""
+        return self.kind.value[0].format(_plain(self.name))
+
+    def latex(self) -> str:
+        """Return the variable as LaTeX."""
+        if self.kind is Kind.SIGNAL:
+            return latex_name(self.name)
+        return self.kind.value[1].format(_roman(_plain(self.name)))
+
+
+@dataclass(frozen=True)
+class Equation:
+    """``left = right``, both sums of terms."""
+
+    left: tuple[Term, ...]
+    right: tuple[Term, ...]
+
+    def text(self) -> str:
+        """Return the equation as one line of text."""
+        return f"{_sum(self.left, text_expression, Term.text, '·')} = {_sum(self.right, text_expression, Term.text, '·')}"
+
+    def latex(self) -> str:
+        """Return the equation as a line of an ``align`` environment."""
+        sides = (_sum(side, latex_expression, Term.latex, r"\,") for side in (self.left, self.right))
+        return " &= ".join(sides)
+
+    def at(self, values: dict[sp.Symbol, float]) -> Equation:
+        """Return the equation with numbers in place of the parameters."""
+        sides = (
+            tuple(Term(sp.Float(float(term.coefficient.subs(values))), term.kind, term.name) for term in side)
+            for side in (self.left, self.right)
+        )
+        return Equation(*sides)
+
+
+def terms_of(row: Iterable[sp.Expr], kind: Kind, names: Sequence[str], sign: int = 1) -> tuple[Term, ...]:
+    """Return the terms of a row of coefficients, without those that are zero."""
+    return tuple(
+        Term(sp.factor(sign * entry), kind, name) for entry, name in zip(row, names, strict=True) if entry != 0
+    )
+
+
+def text_expression(expression: sp.Expr) -> str:
+    """Return an expression of parameters as text.
+
+    Examples
+    --------
+    >>> i, c = sp.symbols("diff_ratio cardan2_stiffness")
+    >>> text_expression(c / i**2)
+    'cardan2_stiffness/diff_ratio²'
+    """
+    text = sp.sstr(_rounded(expression))
+    text = re.sub(r"\*\*([23])(?!\d)", lambda match: "²³"[int(match[1]) - 2], text)
+    return text.replace("**", "^").replace("*", "·")
+
+
+def latex_expression(expression: sp.Expr) -> str:
+    """Return an expression of parameters as LaTeX."""
+    names = {symbol: latex_name(symbol.name) for symbol in expression.free_symbols}
+    return str(sp.latex(_rounded(expression), symbol_names=names))
+
+
+# What a parameter or signal is called in the file or in the emitted code -> the symbol of the literature.
+_SYMBOLS = (
+    ("inertia_estimate", r"\hat I"),
+    ("pinion_ratio", r"\rho"),
+    ("inertia", "I"),
+    ("stiffness", "c"),
+    ("damping", "d"),
+    ("ratio", "i"),
+    ("viscous", r"k_\omega"),
+    ("coulomb", "T_0"),
+    ("load", "k_T"),
+    ("torque", "T"),
+    ("speed", r"\omega"),
+)
+
+
+def latex_name(name: str) -> str:
+    r"""Return a parameter, signal or virtual input as LaTeX.
+
+    Examples
+    --------
+    >>> latex_name("M1_speed")
+    '\\omega_{\\mathrm{M1}}'
+    >>> latex_name("diff_limited_slip_viscous")
+    '{k_\\omega}_{\\mathrm{diff\\_limited\\_slip}}'
+    """
+    if name.startswith("v_"):
+        return f"v_{{{_roman(name[2:])}}}"
+    for ending, symbol in _SYMBOLS:
+        if name.endswith(f"_{ending}"):
+            base = f"{{{symbol}}}" if "_" in symbol else symbol
+            return f"{base}_{{{_roman(name.removesuffix(f'_{ending}'))}}}"
+    return _roman(name)
+
+
+def _roman(name: str) -> str:
+    escaped = name.replace("_", r"\_")
+    return rf"\mathrm{{{escaped}}}"
+
+
+def _plain(name: str) -> str:
+    """Leave out the flange of a machine; it has one only."""
+    return name.removesuffix(".shaft")
+
+
+def _rounded(expression: sp.Expr) -> sp.Expr:
+    """Return `expression` with numbers of five digits, whole ones without a point."""
+    return expression.xreplace(
+        {
+            number: sp.Integer(int(number)) if number == int(number) else sp.Float(float(number), 5)
+            for number in expression.atoms(sp.Float)
+        }
+    )
+
+
+def _sum(
+    terms: tuple[Term, ...], write: Callable[[sp.Expr], str], variable: Callable[[Term], str], times: str
+) -> str:
+    """Return a sum of terms, positive signs left out at the start."""
+    parts: list[str] = []
+    minus = "−" if times == "·" else "-"
+    for term in terms:
+        coefficient, negative = term.coefficient, term.coefficient.could_extract_minus_sign()
+        if negative:
+            coefficient = -coefficient
+        if coefficient == 1:
+            product = variable(term)
+        else:
+            factor = write(coefficient)
+            factor = f"({factor})" if isinstance(coefficient, sp.Add) and times == "·" else factor
+            if isinstance(coefficient, sp.Add) and times != "·":
+                factor = rf"\left({factor}\right)"
+            product = f"{factor}{times}{variable(term)}"
+        if parts:
+            parts.append(f" {minus if negative else '+'} {product}")
+        else:
+            parts.append(f"{minus}{product}" if negative else product)
+    return "".join(parts) or "0"

@@ -1,0 +1,65 @@
+"""From a bed to loaded code: emit, compile, load."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import tempfile
+from pathlib import Path
+
+from ptgen.emit.c_expressions import Precision
+from ptgen.emit.project import project_files
+from ptgen.errors import Problem, RunError
+from ptgen.files import write_files
+from ptgen.project import Project
+from ptgen.simulate.compiler import FLAGS, compile_library, find_compiler
+from ptgen.simulate.library import Library
+
+__all__ = ["build"]
+
+_SOURCES = ("support", "controller", "plant", "run")
+
+
+def build(project: Project, directory: Path | None = None, precision: Precision = "double") -> Library:
+    """Emit, compile and load the code of a bed.
+
+    Parameters
+    ----------
+    project : Project
+    directory : Path, optional
+        Where the C project and the library go. Without it they go to a cache, in which the same code is compiled
+        only once.
+    precision : {"double", "float"}
+
+    Raises
+    ------
+    PtgenError
+        From any stage; `RunError` if there is no compiler or it fails.
+    """
+    files = project_files(project, precision)
+    prefix = project.testbed.name
+    compiler = find_compiler()
+    digest = hashlib.sha256(repr((sorted(files.items()), compiler, FLAGS)).encode()).hexdigest()
+    folder = directory if directory is not None else _cache() / f"{prefix}-{digest[:16]}"
+    write_files(folder, files)
+    # The name tells the content: a library that is loaded already is never replaced.
+    library = folder / f"lib{prefix}-{digest[:16]}.so"
+    if not library.exists():
+        compile_library([folder / f"{prefix}_{part}.c" for part in _SOURCES], library, compiler)
+    return Library(library.resolve(), prefix, project.blocks(), precision)
+
+
+def _cache() -> Path:
+    base = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "ptgen"
+    try:
+        base.mkdir(parents=True, exist_ok=True)
+        if os.access(base, os.W_OK):
+            return base
+    except OSError:
+        pass
+    try:
+        return Path(tempfile.mkdtemp(prefix="ptgen-"))
+    except OSError as error:
+        raise RunError(
+            Problem("", f"no folder for compiled code can be made ({error})", "set XDG_CACHE_HOME to a folder you may write")
+        ) from None

@@ -1,0 +1,108 @@
+"""One valid example of every component, and the model of a component that stands alone."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from ptgen.components.catalogue import CATALOGUE
+from ptgen.components.component import Component
+from ptgen.elements import Drive, Torque
+from ptgen.mechanism.assembly import assemble
+from ptgen.mechanism.mechanism import Mechanism
+from ptgen.mechanism.model import Model
+
+FRICTIONS = {
+    "loss": {"coulomb": "2 N m", "load": 0.01, "viscous": "0.1 N m s/rad"},
+    "limited_slip": {"coulomb": "20 N m", "load": 0.1, "viscous": "0.2 N m s/rad"},
+}
+
+EXAMPLES: dict[str, dict[str, object]] = {
+    "machine": {
+        "inertia": "1 kg m^2",
+        "torque_max": "500 N m",
+        "speed_rated": "3000 rpm",
+        "speed_max": "6000 rpm",
+        "inverter": {"model": "lag", "dead_time": "100 us", "time_constant": "250 us"},
+    },
+    "inertia": {"inertia": "0.2 kg m^2"},
+    "shaft": {"stiffness": "50 kN m/rad", "damping": "2 N m s/rad"},
+    "torque_flange": {
+        "inertia": "0.03 kg m^2",
+        "inertia_machine": "0.02 kg m^2",
+        "stiffness": "380 kN m/rad",
+        "damping": "0.5 N m s/rad",
+    },
+    "gearbox": {"ratio": 8.1, "inertia": "1.05 kg m^2"},
+    "differential": {
+        "ratio": 2.85,
+        "inertia": "0.3 kg m^2",
+        "inertia_pinion": "1.5 kg m^2",
+        "pinion_ratio": 0.8,
+        **FRICTIONS,
+    },
+    "bevel_differential": {
+        "ratio": 2.85,
+        "radius_output1": "80 mm",
+        "radius_output2": "60 mm",
+        "radius_pinion": "50 mm",
+        "inertia_drive": "0.02 kg m^2",
+        "inertia_cage": "0.3 kg m^2",
+        "inertia_output1": "0.05 kg m^2",
+        "inertia_output2": "0.04 kg m^2",
+        "inertia_pinion": "0.01 kg m^2",
+        **FRICTIONS,
+    },
+    "epicyclic_differential": {
+        "radius_ring": "90 mm",
+        "radius_sun": "40 mm",
+        "planets": 3,
+        "inertia_carrier": "0.1 kg m^2",
+        "inertia_ring": "0.05 kg m^2",
+        "inertia_sun": "0.02 kg m^2",
+        "inertia_planet": "0.004 kg m^2",
+        **FRICTIONS,
+    },
+}
+
+
+def example(type_name: str, **changes: object) -> Component:
+    """Return the example of a component type; a change to None removes the field."""
+    fields = {"type": type_name, **EXAMPLES[type_name], **changes}
+    given = {key: value for key, value in fields.items() if value is not None}
+    return CATALOGUE[type_name].model_validate(given)
+
+
+def loose_model(component: Component, name: str = "x") -> Model:
+    """Return the model of a component alone; the inputs are torques on its flanges, in their order."""
+    elements = component.elements(name)
+    flanges = [f"{name}.{flange}" for flange in component.flange_names()]
+    zero = sp.Integer(0)
+    drive = Drive(torque_max=zero, speed_rated=zero, speed_max=zero)
+    return assemble(
+        Mechanism(
+            name="loose",
+            velocities=(*flanges, *elements.internal),
+            bodies=elements.bodies,
+            constraints=elements.constraints,
+            springs=elements.springs,
+            frictions=elements.frictions,
+            torques=tuple(Torque(flange, {flange: sp.Integer(1)}, drive) for flange in flanges),
+            sensors=(),
+            places=(),
+            parameters=component.parameters(name),
+            connections={},
+            orientation={name: 1},
+            observed=(),
+        )
+    )
+
+
+def symbols_of(component: Component, name: str = "x") -> dict[str, sp.Symbol]:
+    """Return the parameter symbols of a component by field name."""
+    return {p.symbol.name.removeprefix(f"{name}_"): p.symbol for p in component.parameters(name)}
+
+
+def is_zero(value: sp.Expr | sp.Matrix) -> bool:
+    """Tell whether a rational expression, or every entry of a matrix, is identically zero."""
+    entries = list(value) if isinstance(value, sp.MatrixBase) else [value]
+    return all(sp.cancel(sp.together(entry)) == 0 for entry in entries)

@@ -1,0 +1,194 @@
+"""What holds for every component of the catalogue; a new one without an example fails here."""
+
+from __future__ import annotations
+
+import sys
+from typing import get_args
+
+import pytest
+import sympy as sp
+from loose_component import EXAMPLES, example, loose_model
+from pydantic import ValidationError
+
+from ptgen import units
+from ptgen.components.catalogue import CATALOGUE
+from ptgen.components.component import Component
+from ptgen.elements import Elements, Row
+
+TYPES = list(CATALOGUE)
+SECTIONS = ("Flanges", "Equations", "Assumptions", "Reference")
+
+
+def rows_of(elements: Elements) -> list[tuple[str, Row]]:
+    owners = [
+        *((spring.name, spring.row) for spring in elements.springs),
+        *((friction.name, friction.row) for friction in elements.frictions),
+        *((constraint.owner, constraint.row) for constraint in elements.constraints),
+        *((torque.name, torque.row) for torque in elements.torques),
+    ]
+    return owners + [(body.velocity, {body.velocity: sp.Integer(1)}) for body in elements.bodies]
+
+
+def expressions_of(elements: Elements) -> list[sp.Expr]:
+    found = [coefficient for _, row in rows_of(elements) for coefficient in row.values()]
+    found += [body.inertia for body in elements.bodies]
+    for spring in elements.springs:
+        found += [spring.stiffness, spring.damping]
+    for friction in elements.frictions:
+        found += [friction.coulomb, friction.viscous]
+        if friction.load is not None:
+            found.append(friction.load.coefficient)
+    for torque in elements.torques:
+        drive = torque.drive
+        found += [drive.torque_max, drive.speed_rated, drive.speed_max]
+        found += [part for part in (drive.time_constant, drive.dead_time) if part is not None]
+    return found
+
+
+def test_every_type_has_an_example() -> None:
+    assert set(EXAMPLES) == set(CATALOGUE)
+
+
+@pytest.mark.parametrize("name", TYPES)
+def test_type_name_is_the_one_in_the_catalogue(name: str) -> None:
+    component = CATALOGUE[name]
+    assert component.type_name == name
+    assert get_args(component.model_fields["type"].annotation) == (name,)
+    assert component.summary.strip()
+    assert len(set(component.flange_names())) == len(component.flanges) > 0
+
+
+@pytest.mark.parametrize("name", TYPES)
+def test_module_reads_like_a_page_of_a_textbook(name: str) -> None:
+    text = sys.modules[CATALOGUE[name].__module__].__doc__ or ""
+    lines = text.splitlines()
+    assert lines[0].endswith("."), "one-line summary first"
+    places = [lines.index(section) for section in SECTIONS]
+    assert places == sorted(places)
+    for place in places:
+        assert lines[place + 1].startswith("    ") and lines[place + 1].strip()
+    assert ".. math::" in text
+
+
+@pytest.mark.parametrize("name", TYPES)
+def test_parameters_have_symbol_unit_and_description(name: str) -> None:
+    parameters = example(name).parameters("part")
+    assert parameters
+    assert len({parameter.symbol.name for parameter in parameters}) == len(parameters)
+    for parameter in parameters:
+        assert parameter.symbol.name.startswith("part_")
+        assert len(parameter.description.split()) >= 2
+        assert "\n" not in parameter.description
+        if parameter.unit:
+            assert units.parse(f"2 {parameter.unit}", parameter.unit) == 2
+        assert parameter.symbol.is_positive or parameter.symbol.is_nonnegative or parameter.signed
+
+
+@pytest.mark.parametrize("name", TYPES)
+def test_elements_speak_of_own_velocities_only(name: str) -> None:
+    component = example(name)
+    elements = component.elements("part")
+    own = {f"part.{flange}" for flange in component.flange_names()}
+    internal = set(elements.internal)
+    assert not own & internal
+    touched: set[str] = set()
+    for owner, row in rows_of(elements):
+        assert row, owner
+        assert all(sp.sympify(coefficient) != 0 for coefficient in row.values()), owner
+        touched |= set(row)
+    assert touched == own | internal, "every flange and every internal velocity takes part"
+    for place in elements.places:
+        assert place.name.startswith("part.")
+        assert set(place.flanges) <= own
+    assert {place.name.removeprefix("part.") for place in elements.places} == set(component.place_names())
+    for friction in elements.frictions:
+        assert friction.load is None or friction.load.place in own
+    spring_names = {spring.name for spring in elements.springs}
+    assert all(sensor.of in own | spring_names for sensor in elements.sensors)
+
+
+@pytest.mark.parametrize("name", TYPES)
+def test_elements_use_declared_parameters_and_all_of_them(name: str) -> None:
+    component = example(name)
+    elements = component.elements("part")
+    used = set().union(*(sp.sympify(expression).free_symbols for expression in expressions_of(elements)))
+    assert used == {parameter.symbol for parameter in component.parameters("part")}
+
+
+@pytest.mark.parametrize("name", TYPES)
+def test_two_of_a_kind_share_nothing(name: str) -> None:
+    component = example(name)
+    names = [{owner for owner, _ in rows_of(component.elements(part))} for part in ("a", "b")]
+    symbols = [{parameter.symbol for parameter in component.parameters(part)} for part in ("a", "b")]
+    assert not names[0] & names[1]
+    assert not symbols[0] & symbols[1]
+
+
+@pytest.mark.parametrize("name", TYPES)
+def test_component_cannot_be_changed(name: str) -> None:
+    component = example(name)
+    field = next(key for key in EXAMPLES[name] if key != "type")
+    with pytest.raises(ValidationError, match="frozen"):
+        setattr(component, field, 1.0)
+
+
+@pytest.mark.parametrize("name", TYPES)
+def test_unknown_field_is_refused(name: str) -> None:
+    with pytest.raises(ValidationError, match="extra"):
+        example(name, colour="red")
+
+
+def quantities(component: Component) -> list[tuple[str, str, bool, bool]]:
+    found = []
+    for field in type(component).model_fields:
+        for parameter in component.parameters("p"):
+            if parameter.symbol.name == f"p_{field}":
+                found.append((field, parameter.unit, parameter.positive, parameter.signed))
+    return found
+
+
+@pytest.mark.parametrize(
+    ("name", "field", "unit", "positive", "signed"),
+    [(name, *quantity) for name in TYPES for quantity in quantities(example(name))],
+)
+def test_range_of_every_quantity_is_checked(name: str, field: str, unit: str, positive: bool, signed: bool) -> None:
+    zero = f"0 {unit}".strip() if unit else 0
+    negative = f"-1 {unit}".strip() if unit else -1
+    if positive:
+        with pytest.raises(ValidationError, match="must"):
+            example(name, **{field: zero})
+    else:
+        assert getattr(example(name, **{field: zero}), field) == 0
+    if signed:
+        assert getattr(example(name, **{field: negative}), field) == -1
+    else:
+        with pytest.raises(ValidationError, match="must"):
+            example(name, **{field: negative})
+    if unit:
+        with pytest.raises(ValidationError, match="must"):
+            example(name, **{field: "3 furlong"})
+
+
+@pytest.mark.parametrize("name", [name for name in TYPES if name not in ("shaft", "torque_flange")])
+def test_rigid_component_alone_has_positive_definite_inertia(name: str) -> None:
+    model = loose_model(example(name))
+    mass = model.mass.subs(model.values)
+    assert mass.is_symmetric()
+    assert mass.is_positive_definite
+
+
+@pytest.mark.parametrize("name", [name for name in TYPES if "loss" in EXAMPLES[name]])
+def test_friction_takes_exactly_torque_times_slip(name: str) -> None:
+    """The kinetic energy, from bodies and velocities, changes by minus the friction power."""
+    component = example(name)
+    elements = component.elements("x")
+    model = loose_model(component)
+    z = sp.Matrix(sp.symbols(f"z0:{len(model.coordinates)}"))
+    T = sp.Matrix(sp.symbols(f"T0:{len(elements.frictions)}"))
+    rate = model.accelerations().f * T
+    velocity = {name: (row * z)[0] for name, row in model.velocity_rows.items()}
+    slope = {name: (row * rate)[0] for name, row in model.velocity_rows.items()}
+    energy_rate = sum(body.inertia * velocity[body.velocity] * slope[body.velocity] for body in elements.bodies)
+    slip = [sum(value * velocity[key] for key, value in friction.row.items()) for friction in elements.frictions]
+    power = sum(torque * speed for torque, speed in zip(T, slip, strict=True))
+    assert sp.cancel(sp.together(energy_rate + power)) == 0

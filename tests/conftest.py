@@ -1,0 +1,28 @@
+"""What all tests share: the repository, and the shipped beds with every stage computed at most once."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from ptgen.project import Project
+
+
+@pytest.fixture(scope="session")
+def root() -> Path:
+    """The root of the repository."""
+    return Path(__file__).resolve().parents[1]
+
+
+@pytest.fixture(scope="session")
+def projects(root: Path) -> dict[str, Project]:
+    """Every bed in ``testbeds/`` by its name."""
+    beds = [Project.read(path) for path in sorted((root / "testbeds").glob("*.toml"))]
+    return {project.testbed.name: project for project in beds}
+
+
+@pytest.fixture(scope="session", params=["back_to_back", "differential", "differential_gearboxes"])
+def project(request: pytest.FixtureRequest, projects: dict[str, Project]) -> Project:
+    """One shipped bed after the other."""
+    return projects[request.param]
