@@ -34,7 +34,9 @@ def write_file(path: Path, content: str | bytes) -> None:
             raise
     except OSError as error:
         what = f"cannot be written ({error.strerror or error})"
-        raise PtgenError(Problem("", what, "check that the folder exists and that you may write there"), str(path)) from None
+        raise PtgenError(
+            Problem("", what, "check that the folder exists and that you may write there"), str(path)
+        ) from None
 
 
 def write_files(directory: Path, contents: Mapping[str, str | bytes]) -> list[Path]:

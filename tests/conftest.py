@@ -5,8 +5,13 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from hypothesis import settings
 
 from ptgen.project import Project
+
+# Symbolic work has no steady run time, so a time limit per example would only fail at random.
+settings.register_profile("ptgen", deadline=None)
+settings.load_profile("ptgen")
 
 
 @pytest.fixture(scope="session")

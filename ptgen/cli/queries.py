@@ -109,7 +109,8 @@ def modal(
         list[str] | None, typer.Option("--lock", metavar="ELEMENT", help="A friction element that sticks; repeatable.")
     ] = None,
     free: Annotated[
-        list[str] | None, typer.Option("--free", metavar="ELEMENT", help="A friction element that is free, the default.")
+        list[str] | None,
+        typer.Option("--free", metavar="ELEMENT", help="A friction element that is free, the default."),
     ] = None,
     plot: Annotated[
         Path | None, typer.Option("--plot", metavar="FIGURE", help="Draw the mode shapes (.svg, .png or .pdf).")
@@ -153,7 +154,11 @@ def _elements(model: Model, lock: Sequence[str], free: Sequence[str], file: str)
     names = [friction.name for friction in model.frictions]
     hint = f"known are: {', '.join(names)}" if names else "it has none"
     problems = [
-        Problem(option, f'"{name}" is no friction element of this bed', f"{nearest(name, names)} ({hint})" if names else hint)
+        Problem(
+            option,
+            f'"{name}" is no friction element of this bed',
+            f"{nearest(name, names)} ({hint})" if names else hint,
+        )
         for option, wanted in (("--lock", lock), ("--free", free))
         for name in wanted
         if name not in names

@@ -26,7 +26,8 @@ __all__ = ["simulate"]
 def simulate(
     file: BedFile,
     scenario: Annotated[
-        Path, typer.Option("--scenario", "-s", metavar="SCENARIO", help="The scenario file (.toml).", show_default=False)
+        Path,
+        typer.Option("--scenario", "-s", metavar="SCENARIO", help="The scenario file (.toml).", show_default=False),
     ],
     controller: Annotated[
         ControllerKind, typer.Option("--controller", help="The controller that the bed runs with.")

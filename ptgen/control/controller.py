@@ -143,6 +143,7 @@ class _Controller:
             estimate = self._sensor_sum(law.estimate_sensors[index, :], measured) + load * self._virtual_sum(
                 law.estimate_virtual[index, :], virtual
             )
+            estimate = estimate + load * self._unread_torque(machine, virtual)
             others = law.P[machine, :].copy()
             others[index] = sp.Integer(0)
             decoupling = accelerate * self._virtual_sum(others, virtual)
@@ -198,7 +199,9 @@ class _Controller:
             result[name] = _symbol(f"{name}_held")
         for number, flag in sound:
             unseen = sp.And(fault < sp.Rational(1, 2), flag < sp.Rational(1, 2))
-            self._assign("fault", sp.Piecewise((sp.Integer(number), unseen), (fault, True)), "the first fault is latched")
+            self._assign(
+                "fault", sp.Piecewise((sp.Integer(number), unseen), (fault, True)), "the first fault is latched"
+            )
         return result
 
     def _plausible(self, name: str) -> float:
@@ -273,6 +276,28 @@ class _Controller:
         conditioned = error + (realised - asked) / gain
         self._assign(integral.name, integral + h * integral_gain * conditioned, "conditioning anti-windup")
         return realised, command
+
+    def _unread_torque(self, machine: int, virtual: dict[int, sp.Expr]) -> sp.Expr:
+        """Return the torque that accelerates what lies between the sensors and the place of the testing torque."""
+        name = self.design.machines[machine]
+        terms = []
+        for position, value in virtual.items():
+            other = self.design.machines[self.design.actuators[position]]
+            inertia = self.gains.sensor_inertia[name][other]
+            symbol = self._parameter(
+                f"{name}_sensor_inertia_{other}",
+                "kg m^2",
+                f"torque of {name} that its sensors miss, per acceleration of {other}",
+                float(f"{inertia:.12g}"),
+                None,
+            )
+            rotor = self._model_parameters(
+                self.design.model.body_inertias[
+                    next(iter(self.design.model.inputs[self.design.actuators[position]].row))
+                ]
+            )
+            terms.append(symbol * value / rotor)
+        return sp.Add(*terms)
 
     def _torque_control(
         self,

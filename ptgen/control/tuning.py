@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 import sympy as sp
+from numpy.typing import NDArray
 
 from ptgen.control.decoupling import Decoupling
 from ptgen.mechanism.model import LinearForm, Model, evaluate_matrix
@@ -14,6 +15,8 @@ from ptgen.mechanism.modes import Mode
 from ptgen.testbed.testbed import Tuning
 
 __all__ = ["Gains", "gains"]
+
+Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -30,6 +33,9 @@ class Gains:
         Damping (N m s/rad) of each torque-controlled machine (5.81).
     inertia_estimate : mapping of str to float
         Inertia (kg m^2) that the acceleration torque of each torque-controlled machine accounts for (5.78).
+    sensor_inertia : mapping of str to mapping of str to float
+        Inertia (kg m^2) between sensors and testing torque: for each torque-controlled machine, what has to be added
+        to the torque read per acceleration of each speed-controlled machine; (5.97) for all parts of the bed.
     stiffness, natural_frequency : mapping of str to float
         What each torque-controlled machine swings against (N m/rad), and how fast (rad/s) (5.79).
     """
@@ -40,6 +46,7 @@ class Gains:
     conventional_integral: Mapping[str, float]
     damping: Mapping[str, float]
     inertia_estimate: Mapping[str, float]
+    sensor_inertia: Mapping[str, Mapping[str, float]]
     stiffness: Mapping[str, float]
     natural_frequency: Mapping[str, float]
 
@@ -67,7 +74,8 @@ def gains(decoupling: Decoupling, full: Model, tuning: Tuning, modes: tuple[Mode
     }
     torque_machines = [decoupling.machines[i] for i in decoupling.actuators[: decoupling.torque_count]]
     speed_machines = [decoupling.machines[i] for i in decoupling.actuators[decoupling.torque_count :]]
-    inertia = {**_accelerated_inertia(decoupling, full), **tuning.inertia_estimate}
+    steady = _steady_acceleration(decoupling, full)
+    inertia = {**_accelerated_inertia(decoupling, steady), **tuning.inertia_estimate}
     stiffness = {
         name: float(evaluate_matrix(sp.Matrix([[expression]]), decoupling.values)[0, 0])
         for name, expression in zip(torque_machines, decoupling.stiffness, strict=True)
@@ -85,31 +93,47 @@ def gains(decoupling: Decoupling, full: Model, tuning: Tuning, modes: tuple[Mode
             name: 2 * tuning.damping_ratio * float(np.sqrt(stiffness[name] * inertia[name])) for name in torque_machines
         },
         inertia_estimate={name: inertia[name] for name in torque_machines},
+        sensor_inertia=_sensor_inertia(decoupling, full, steady, rotors),
         stiffness=stiffness,
         natural_frequency={name: float(np.sqrt(stiffness[name] / inertia[name])) for name in torque_machines},
     )
 
 
-def _accelerated_inertia(decoupling: Decoupling, full: Model) -> dict[str, float]:
+def _accelerated_inertia(decoupling: Decoupling, steady: Array) -> dict[str, float]:
     """Return the inertia for which the acceleration torque leaves the testing torque alone.
 
     In steady acceleration of the whole bed, all twists constant and every controlled torque zero, the torque that
     a torque-controlled machine needs is found from the full model; the law gives that torque per unit of
     inertia. The thesis finds this value by hand (source, Section 5.8.1).
     """
-    torque_machines = decoupling.actuators[: decoupling.torque_count]
-    speed_machines = decoupling.actuators[decoupling.torque_count :]
-    if not speed_machines:
-        return {decoupling.machines[i]: decoupling.values[s] for i, s in _estimates(decoupling)}
-    needed = _steady_torques(decoupling, full)
     per_inertia = _law_torques(decoupling)
     result = {}
-    for index, machine in enumerate(torque_machines):
+    for index, (machine, symbol) in enumerate(_estimates(decoupling)):
         weights = per_inertia[index]
-        if not np.any(weights):
-            result[decoupling.machines[machine]] = decoupling.values[decoupling.inertia_estimate[index]]
-            continue
-        result[decoupling.machines[machine]] = float(weights @ needed[index] / (weights @ weights))
+        needed = steady[len(steady) - len(decoupling.machines) + machine]
+        squared = float(weights @ weights)
+        result[decoupling.machines[machine]] = (
+            float(weights @ needed / squared) if squared > 0 else decoupling.values[symbol]
+        )
+    return result
+
+
+def _sensor_inertia(
+    decoupling: Decoupling, full: Model, steady: Array, rotors: Mapping[str, float]
+) -> dict[str, dict[str, float]]:
+    """Return what the estimate of each controlled torque misses in steady acceleration, where that torque is zero."""
+    speed_machines = decoupling.actuators[decoupling.torque_count :]
+    sensors = np.vstack([_row(full.signals[name], full) @ steady for name in decoupling.sensors])
+    read = evaluate_matrix(decoupling.law.estimate_sensors, decoupling.values) @ sensors
+    of_virtual = evaluate_matrix(decoupling.law.estimate_virtual, decoupling.values)
+    result: dict[str, dict[str, float]] = {}
+    for index, machine in enumerate(decoupling.actuators[: decoupling.torque_count]):
+        missing = {}
+        for column, other in enumerate(speed_machines):
+            name = decoupling.machines[other]
+            known = of_virtual[index, decoupling.torque_count + column] * rotors[name]
+            missing[name] = -float(read[index, column] + known)
+        result[decoupling.machines[machine]] = missing
     return result
 
 
@@ -117,7 +141,7 @@ def _estimates(decoupling: Decoupling) -> list[tuple[int, sp.Symbol]]:
     return list(zip(decoupling.actuators[: decoupling.torque_count], decoupling.inertia_estimate, strict=True))
 
 
-def _law_torques(decoupling: Decoupling) -> list[np.ndarray]:
+def _law_torques(decoupling: Decoupling) -> list[Array]:
     """Return each torque machine's acceleration torque per inertia and per acceleration of each speed machine."""
     speed_machines = decoupling.actuators[decoupling.torque_count :]
     rows = []
@@ -131,26 +155,30 @@ def _law_torques(decoupling: Decoupling) -> list[np.ndarray]:
     return rows
 
 
-def _steady_torques(decoupling: Decoupling, full: Model) -> list[np.ndarray]:
-    """Return the torque of each torque machine per acceleration of each speed machine, from the full model."""
+def _steady_acceleration(decoupling: Decoupling, full: Model) -> Array:
+    """Return accelerations, twists and air-gap torques (n_z + n_e + n_u) per acceleration of each speed machine.
+
+    All twists are constant and all controlled torques are zero.
+    """
     numeric = full.numeric()
-    n_z, n_e, n_u = len(full.coordinates), len(full.twists), len(full.inputs)
+    n_e, n_u = len(full.twists), len(full.inputs)
     E = numeric.twist_rows
-    torque_machines = decoupling.actuators[: decoupling.torque_count]
     speed_machines = decoupling.actuators[decoupling.torque_count :]
-    # unknowns: accelerations (n_z), twists (n_e), air-gap torques (n_u)
     equations = [np.hstack([numeric.mass, E.T @ numeric.stiffness, -numeric.input_rows.T])]
     equations.append(np.hstack([E, np.zeros((n_e, n_e + n_u))]))
-    for place in decoupling.outputs[: decoupling.torque_count]:
-        equations.append(_row(full.signals[place], full))
+    equations += [_row(full.signals[place], full) for place in decoupling.outputs[: decoupling.torque_count]]
     right = [np.zeros((sum(len(block) for block in equations), len(speed_machines)))]
     for machine in speed_machines:
         row = evaluate_matrix(full.velocity_rows[next(iter(full.inputs[machine].row))], full.values)
         equations.append(np.hstack([row, np.zeros((1, n_e + n_u))]))
     right.append(np.eye(len(speed_machines)))
-    solution, *_ = np.linalg.lstsq(np.vstack(equations), np.vstack(right), rcond=None)
-    return [solution[n_z + n_e + machine] for machine in torque_machines]
+    # Scaled rows: inertias and stiffnesses differ by many powers of ten.
+    matrix, wanted = np.vstack(equations), np.vstack(right)
+    size = np.linalg.norm(matrix, axis=1, keepdims=True)
+    solution, *_ = np.linalg.lstsq(matrix / size, wanted / size, rcond=None)
+    return np.asarray(solution, dtype=np.float64)
 
 
-def _row(form: LinearForm, full: Model) -> np.ndarray:
+def _row(form: LinearForm, full: Model) -> Array:
+    """Return a signal over accelerations, twists and air-gap torques."""
     return np.hstack([evaluate_matrix(part, full.values) for part in (form.a, form.e, form.u)])

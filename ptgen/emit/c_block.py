@@ -138,9 +138,7 @@ class CBlock:
             if statement.source and statement.source != source:
                 result.append(f"/* {statement.source} */")
             source = statement.source or source
-            result += [
-                part for line in self._statement(statement, printer, declared) for part in _wrapped(line)
-            ]
+            result += [part for line in self._statement(statement, printer, declared) for part in _wrapped(line)]
         return result
 
     def _arrays(self, section: Section) -> list[tuple[str, str]]:

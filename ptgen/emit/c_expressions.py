@@ -75,7 +75,11 @@ class CExpressions(C99CodePrinter):  # type: ignore[misc]
             product = "*".join([factor] * abs(int(exponent)))
             if exponent > 0:
                 return f"({product})" if abs(int(exponent)) > 1 else product
-            return f"{literal(1.0, self._precision)}/({product})" if exponent < -1 else f"{literal(1.0, self._precision)}/{factor}"
+            return (
+                f"{literal(1.0, self._precision)}/({product})"
+                if exponent < -1
+                else f"{literal(1.0, self._precision)}/{factor}"
+            )
         return f"{self._prefix_name}_pow({self._print(base)}, {self._print(exponent)})"
 
     def _fold(self, function: str, arguments: Any) -> str:

@@ -36,7 +36,9 @@ def recorded_signals(project: Project) -> tuple[RecordedSignal, ...]:
     """Return the signals of a recording: references, what the plant puts out, commands, fault."""
     controller, plant = project.blocks()
     references = set(project.design.controller.references.values())
-    signals = [RecordedSignal(s.name, s.unit, f"run->inputs.{s.name}") for s in controller.inputs if s.name in references]
+    signals = [
+        RecordedSignal(s.name, s.unit, f"run->inputs.{s.name}") for s in controller.inputs if s.name in references
+    ]
     signals += [RecordedSignal(s.name, s.unit, f"run->measured.{s.name}") for s in plant.outputs]
     signals += [RecordedSignal(s.name, s.unit, f"run->commands.{s.name}") for s in controller.outputs]
     signals.append(RecordedSignal("fault", "", "run->controller.fault"))
@@ -63,9 +65,7 @@ def project_files(project: Project, precision: Precision = "double") -> dict[str
     references = project.design.controller.references
     names = {signal.name for signal in plant.outputs}
     blocks = {block.name: CBlock(block, prefix, precision) for block in (controller, plant)}
-    conventional = {
-        name: literal(value, precision) for name, value in project.design.controller.conventional.items()
-    }
+    conventional = {name: literal(value, precision) for name, value in project.design.controller.conventional.items()}
     context: dict[str, object] = {
         "prefix": prefix,
         "title": testbed.title,

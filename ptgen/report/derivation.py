@@ -96,7 +96,7 @@ def derivation(project: Project) -> Derivation:
         name=project.testbed.name,
         model=project.model,
         reduced=reduced.model,
-        motion=motion(project.model),
+        motion=motion(project.model, project.mechanism.orientation),
         reduced_motion=motion(reduced.model),
         rules=reduced.rules,
         modes_before=reduced.modes_before,

@@ -52,7 +52,7 @@ def _motion(equations: Motion) -> Iterator[RenderableType]:
     yield Text("Each body is accelerated by the torques that act on it:")
     yield from _lines(equations.balances)
     if equations.shafts:
-        yield Text("Torque of each shaft, from its twist φ and the rate of it:")
+        yield Text("Torque of each shaft, positive when it drives the right-hand neighbour, from its twist φ:")
         yield from _lines(equations.shafts)
         yield from _lines(equations.twists)
     if equations.slips:
@@ -126,7 +126,9 @@ def _degrees(found: Derivation) -> Iterator[RenderableType]:
         kind = "torque" if index < decoupling.torque_count else "speed"
         yield Text(f"  {output}: {degree} ({kind}, controlled by {machine})")
     total = sum(decoupling.relative_degrees)
-    yield Text(f"total {total} of order {decoupling.system.order}: internal dynamics of order {decoupling.internal_order}")
+    yield Text(
+        f"total {total} of order {decoupling.system.order}: internal dynamics of order {decoupling.internal_order}"
+    )
     if decoupling.internal_order:
         yield Text(f"  eigenvalues (1/s): {', '.join(_complex(value) for value in found.internal_eigenvalues)}")
 

@@ -54,19 +54,20 @@ class Equation:
 
     def text(self) -> str:
         """Return the equation as one line of text."""
-        return f"{_sum(self.left, text_expression, Term.text, '·')} = {_sum(self.right, text_expression, Term.text, '·')}"
+        return (
+            f"{_sum(self.left, text_expression, Term.text, '·')} = {_sum(self.right, text_expression, Term.text, '·')}"
+        )
 
     def latex(self) -> str:
         """Return the equation as a line of an ``align`` environment."""
-        sides = (_sum(side, latex_expression, Term.latex, r"\,") for side in (self.left, self.right))
-        return " &= ".join(sides)
+        return " &= ".join(_sum(side, _latex_product, "-") for side in (self.left, self.right))
 
     def at(self, values: dict[sp.Symbol, float]) -> Equation:
-        """Return the equation with numbers in place of the parameters."""
-        sides = (
-            tuple(Term(sp.Float(float(term.coefficient.subs(values))), term.kind, term.name) for term in side)
-            for side in (self.left, self.right)
-        )
+        """Return the equation with numbers in place of the parameters; terms that vanish are left out."""
+        sides = []
+        for side in (self.left, self.right):
+            numbers = ((term, float(term.coefficient.subs(values))) for term in side)
+            sides.append(tuple(Term(sp.Float(number), term.kind, term.name) for term, number in numbers if number))
         return Equation(*sides)
 
 
@@ -144,34 +145,43 @@ def _plain(name: str) -> str:
 
 def _rounded(expression: sp.Expr) -> sp.Expr:
     """Return `expression` with numbers of five digits, whole ones without a point."""
-    return expression.xreplace(
-        {
-            number: sp.Integer(int(number)) if number == int(number) else sp.Float(float(number), 5)
-            for number in expression.atoms(sp.Float)
-        }
-    )
+    return expression.xreplace({number: _short(float(number)) for number in expression.atoms(sp.Float)})
 
 
-def _sum(
-    terms: tuple[Term, ...], write: Callable[[sp.Expr], str], variable: Callable[[Term], str], times: str
-) -> str:
-    """Return a sum of terms, positive signs left out at the start."""
+def _short(value: float) -> sp.Expr:
+    rounded = float(f"{value:.5g}")
+    return sp.Integer(int(rounded)) if rounded.is_integer() else sp.Float(f"{rounded:.5g}")
+
+
+def _sum(terms: tuple[Term, ...], product: Callable[[sp.Expr, Term], str], minus: str) -> str:
+    """Return a sum of terms as `product` writes them, a positive sign left out at the start."""
     parts: list[str] = []
-    minus = "−" if times == "·" else "-"
     for term in terms:
-        coefficient, negative = term.coefficient, term.coefficient.could_extract_minus_sign()
-        if negative:
-            coefficient = -coefficient
-        if coefficient == 1:
-            product = variable(term)
-        else:
-            factor = write(coefficient)
-            factor = f"({factor})" if isinstance(coefficient, sp.Add) and times == "·" else factor
-            if isinstance(coefficient, sp.Add) and times != "·":
-                factor = rf"\left({factor}\right)"
-            product = f"{factor}{times}{variable(term)}"
-        if parts:
-            parts.append(f" {minus if negative else '+'} {product}")
-        else:
-            parts.append(f"{minus}{product}" if negative else product)
+        coefficient = _rounded(term.coefficient)
+        negative = coefficient.could_extract_minus_sign()
+        written = product(-coefficient if negative else coefficient, term)
+        sign = minus if negative else "+"
+        parts.append(f" {sign} {written}" if parts else f"{minus if negative else ''}{written}")
     return "".join(parts) or "0"
+
+
+def _text_product(coefficient: sp.Expr, term: Term) -> str:
+    if coefficient.is_number:
+        return term.text() if coefficient == 1 else f"{text_expression(coefficient)}·{term.text()}"
+    above, below = coefficient.as_numer_denom()
+    factor = "" if above == 1 else f"{_bracketed(above, sp.Add)}·"
+    return factor + term.text() + ("" if below == 1 else f"/{_bracketed(below, (sp.Add, sp.Mul))}")
+
+
+def _bracketed(expression: sp.Expr, kinds: type | tuple[type, ...]) -> str:
+    text = text_expression(expression)
+    return f"({text})" if isinstance(expression, kinds) else text
+
+
+def _latex_product(coefficient: sp.Expr, term: Term) -> str:
+    if coefficient == 1:
+        return term.latex()
+    factor = latex_expression(coefficient)
+    if isinstance(coefficient, sp.Add):
+        factor = rf"\left({factor}\right)"
+    return rf"{factor}\,{term.latex()}"

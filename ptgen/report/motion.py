@@ -6,7 +6,7 @@ one line. Without a one-to-one relation of shafts and twists the torques belong 
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 import sympy as sp
@@ -17,7 +17,7 @@ from ptgen.report.formulas import Equation, Kind, Term, terms_of
 
 __all__ = ["Motion", "Slip", "motion"]
 
-_LONGEST = 14
+_LONGEST = 9
 """Operations in a coefficient from which on it gets a name of its own."""
 
 
@@ -61,12 +61,22 @@ class Motion:
     abbreviations: dict[sp.Symbol, sp.Expr]
 
 
-def motion(model: Model) -> Motion:
-    """Write the equations of motion of `model`."""
+def motion(model: Model, orientation: Mapping[str, int] | None = None) -> Motion:
+    """Write the equations of motion of a model.
+
+    Parameters
+    ----------
+    model : Model
+    orientation : mapping of str to int, optional
+        Component to the sign that makes the torque of its shaft positive when it drives the right-hand neighbour,
+        as the sensors have it.
+    """
     by_spring = len(model.spring_rows) == len(model.twists)
     names = tuple(model.spring_rows) if by_spring else model.twists
-    springs = [row for row in model.spring_rows.values()] if by_spring else None
+    signs = [(orientation or {}).get(name.partition(".")[0], 1) if by_spring else 1 for name in names]
+    springs = [model.spring_rows[name] for name in names] if by_spring else []
     twist_rows = sp.Matrix.vstack(*springs) if springs else sp.eye(len(model.twists))
+    twist_rows = sp.diag(*signs) * twist_rows if signs else twist_rows
     rates = twist_rows * model.twist_rows
     frictions = [friction.name for friction in model.frictions]
     machines = [torque.name for torque in model.inputs]

@@ -61,5 +61,7 @@ def _cache() -> Path:
         return Path(tempfile.mkdtemp(prefix="ptgen-"))
     except OSError as error:
         raise RunError(
-            Problem("", f"no folder for compiled code can be made ({error})", "set XDG_CACHE_HOME to a folder you may write")
+            Problem(
+                "", f"no folder for compiled code can be made ({error})", "set XDG_CACHE_HOME to a folder you may write"
+            )
         ) from None

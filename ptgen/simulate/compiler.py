@@ -34,7 +34,9 @@ def find_compiler() -> tuple[str, ...]:
         if command and shutil.which(command[0]):
             return command
         raise RunError(
-            Problem("", f"the compiler named by the environment variable CC, {named!r}, is not found", "correct or unset CC")
+            Problem(
+                "", f"the compiler named by the environment variable CC, {named!r}, is not found", "correct or unset CC"
+            )
         )
     for name in ("cc", "gcc", "clang"):
         if shutil.which(name):

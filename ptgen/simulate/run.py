@@ -114,7 +114,9 @@ class _Run:
         struct.plant_params = library.plant.defaults()
         known = {name for part in ("controller_params", "plant_params") for name, *_ in getattr(struct, part)._fields_}
         problems = [
-            Problem(name, "is no parameter of this bed", nearest(name, known)) for name in parameters if name not in known
+            Problem(name, "is no parameter of this bed", nearest(name, known))
+            for name in parameters
+            if name not in known
         ]
         if problems:
             raise RunError(problems)
@@ -131,7 +133,9 @@ class _Run:
             return
         block = self._library.controller if status > 0 else self._library.plant
         text = block.status_text(abs(status))
-        raise RunError(Problem("", f"{when} ended with the status: {text}", "correct the parameter or the reference that it names"))
+        raise RunError(
+            Problem("", f"{when} ended with the status: {text}", "correct the parameter or the reference that it names")
+        )
 
     def steps(
         self,

@@ -72,7 +72,8 @@ def test_machine_follows_3_3() -> None:
     assert torque.row == {"x.shaft": 1}
     assert (body.velocity, body.inertia) == ("x.shaft", p["inertia"])
     assert (sensor.kind, sensor.of) == (SensorKind.SPEED, "x.shaft")
-    assert (torque.drive.time_constant, torque.drive.dead_time) == (p["inverter_time_constant"], p["inverter_dead_time"])
+    assert torque.drive.time_constant == p["inverter_time_constant"]
+    assert torque.drive.dead_time == p["inverter_dead_time"]
 
 
 def test_ideal_inverter_has_no_dynamics() -> None:

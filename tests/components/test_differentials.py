@@ -20,7 +20,7 @@ def accelerations(model: Model) -> sp.Matrix:
     return rates.u * sp.Matrix([T_di, -T_do1, -T_do2]) + rates.f * sp.Matrix([T_dl, T_dsl])
 
 
-def viscous_free(name: str) -> tuple[dict[str, sp.Symbol], Model]:
+def symbols_and_model(name: str) -> tuple[dict[str, sp.Symbol], Model]:
     component = example(name)
     return symbols_of(component), loose_model(component)
 
@@ -37,7 +37,7 @@ def static_torques(model: Model) -> tuple[sp.Expr, sp.Expr]:
 
 
 def test_bevel_differential_follows_3_16_to_3_19() -> None:
-    p, model = viscous_free("bevel_differential")
+    p, model = symbols_and_model("bevel_differential")
     i, r1, r2, r3 = p["ratio"], p["radius_output1"], p["radius_output2"], p["radius_pinion"]
     I0, Ic, I1, I2, I3 = (p[f"inertia_{part}"] for part in ("drive", "cage", "output1", "output2", "pinion"))
     I_d = Ic + i**2 * I0
@@ -63,7 +63,7 @@ def test_bevel_differential_follows_3_16_to_3_19() -> None:
 
 
 def test_bevel_differential_splits_torque_as_3_20() -> None:
-    p, model = viscous_free("bevel_differential")
+    p, model = symbols_and_model("bevel_differential")
     i, r1, r2, r3 = p["ratio"], p["radius_output1"], p["radius_output2"], p["radius_pinion"]
     gamma0 = r1 * r2 / (r3 * (r1 + r2))  # (3.21)
     first, second = static_torques(model)
@@ -75,7 +75,7 @@ def test_bevel_differential_splits_torque_as_3_20() -> None:
 
 def test_epicyclic_differential_follows_3_25_to_3_28() -> None:
     """With the sign of T_dsl in (3.25) corrected: the printed one would create power."""
-    p, model = viscous_free("epicyclic_differential")
+    p, model = symbols_and_model("epicyclic_differential")
     r_r, r_s = p["radius_ring"], p["radius_sun"]
     r_p = (r_r - r_s) / 2
     I_c, I_r, I_s = p["inertia_carrier"], p["inertia_ring"], p["inertia_sun"]
@@ -103,7 +103,7 @@ def test_epicyclic_differential_follows_3_25_to_3_28() -> None:
 
 
 def test_epicyclic_differential_splits_torque_as_3_29() -> None:
-    p, model = viscous_free("epicyclic_differential")
+    p, model = symbols_and_model("epicyclic_differential")
     r_r, r_s = p["radius_ring"], p["radius_sun"]
     gamma1, gamma2 = r_r / (r_s + r_r), r_s / (r_s + r_r)
     gamma0 = r_r * r_s / ((r_r - r_s) / 2 * (r_r + r_s))  # (3.30)
@@ -115,7 +115,7 @@ def test_epicyclic_differential_splits_torque_as_3_29() -> None:
 
 
 def test_symmetric_differential_follows_c13_and_c14() -> None:
-    p, model = viscous_free("differential")
+    p, model = symbols_and_model("differential")
     i, rho, I_di, I_3b = p["ratio"], p["pinion_ratio"], p["inertia"], p["inertia_pinion"]
     derived = accelerations(model)
     assert is_zero(I_di * derived[0] - (T_di - T_dl - T_do1 / i - T_do2 / i))
@@ -125,8 +125,8 @@ def test_symmetric_differential_follows_c13_and_c14() -> None:
 
 def test_symmetric_bevel_differential_is_the_reduced_one() -> None:
     """With r1 = r2 and I1 = I2, (C.12) gives the two inertias of the reduced form."""
-    b, bevel = viscous_free("bevel_differential")
-    p, reduced = viscous_free("differential")
+    b, bevel = symbols_and_model("bevel_differential")
+    p, reduced = symbols_and_model("differential")
     i, r1, r3, I1, I3 = b["ratio"], b["radius_output1"], b["radius_pinion"], b["inertia_output1"], b["inertia_pinion"]
     symmetric = {b["radius_output2"]: r1, b["inertia_output2"]: I1}
     I_d = b["inertia_cage"] + i**2 * b["inertia_drive"]
@@ -142,7 +142,7 @@ def test_symmetric_bevel_differential_is_the_reduced_one() -> None:
 
 @pytest.mark.parametrize("name", DIFFERENTIALS)
 def test_power_of_outside_torques_and_friction_is_the_rate_of_energy(name: str) -> None:
-    _, model = viscous_free(name)
+    _, model = symbols_and_model(name)
     z = sp.Matrix([w_di, w_3])
     speed1, speed2 = outputs(model)
     power = T_di * w_di - T_do1 * speed1 - T_do2 * speed2 - T_dl * w_di - T_dsl * w_3
@@ -152,7 +152,7 @@ def test_power_of_outside_torques_and_friction_is_the_rate_of_energy(name: str) 
 @pytest.mark.parametrize("name", DIFFERENTIALS)
 def test_friction_matrix_is_symmetric(name: str) -> None:
     """(3.32): friction acts with the inverse of the inertia."""
-    _, model = viscous_free(name)
+    _, model = symbols_and_model(name)
     friction_matrix = -accelerations(model).jacobian([T_dl, T_dsl])
     assert is_zero(friction_matrix - friction_matrix.T)
     numeric = friction_matrix.subs(model.values)

@@ -1,0 +1,129 @@
+"""A bed as a tree of its chains and components, and as plain data."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from rich.text import Text
+from rich.tree import Tree
+
+from ptgen.components.component import Component, Record
+from ptgen.report.quantities import readable
+from ptgen.testbed.testbed import Testbed
+
+__all__ = ["bed_tree", "bed_values", "chains", "component_lines"]
+
+
+def chains(bed: Testbed) -> tuple[tuple[str, ...], ...]:
+    """Return the chains of a bed: the flanges that each of them passes, in order.
+
+    A chain goes on through components with two flanges, and ends at all others.
+
+    Examples
+    --------
+    >>> from ptgen.testbed import load
+    >>> chains(load("testbeds/back-to-back.toml"))[0][:3]
+    ('M1.shaft', 'flange1.machine', 'flange1.uut')
+    """
+    result: list[list[str]] = []
+    for connection in bed.connections:
+        left = connection.left.partition(".")[0]
+        previous = result[-1][-1].partition(".")[0] if result else ""
+        if previous == left and len(bed.components[left].flange_names()) == 2 and result[-1][-1] != connection.left:
+            result[-1] += [connection.left, connection.right]
+        else:
+            result.append([connection.left, connection.right])
+    return tuple(tuple(chain) for chain in result)
+
+
+def bed_tree(bed: Testbed) -> Tree:
+    """Return a bed as a tree; ``*`` marks values that are assumed."""
+    tree = Tree(Text.assemble((bed.title, "bold"), f"  ({bed.name}, {bed.file})"))
+    tree.add(Text(f"controller samples every {readable(bed.sample_time, 's')}"))
+    branch = tree.add(Text("chains", style="bold cyan"))
+    for chain in chains(bed):
+        branch.add(Text(" - ".join(_stops(bed, chain))))
+    branch = tree.add(Text("components", style="bold cyan"))
+    for name, component in bed.components.items():
+        assumed = " *" if f"components.{name}" in bed.assumed else ""
+        leaf = branch.add(Text.assemble((name, "bold"), f"{assumed}  {component.summary}"))
+        for line in component_lines(bed, name):
+            leaf.add(Text(line))
+    branch = tree.add(Text("control", style="bold cyan"))
+    for machine, place in bed.roles.torque.items():
+        branch.add(Text(f"{machine} controls the torque at {place}"))
+    for machine in bed.roles.speed:
+        branch.add(Text(f"{machine} controls its own speed"))
+    tuning = branch.add(Text("tuning"))
+    for line in _values(bed, bed.tuning, "control"):
+        tuning.add(Text(line))
+    reduction = branch.add(Text("reduction"))
+    for line in _values(bed, bed.reduction, "reduction"):
+        reduction.add(Text(line))
+    if bed.assumed:
+        branch = tree.add(Text("assumed rather than measured (*)", style="bold cyan"))
+        for key in bed.assumed:
+            branch.add(Text(key.removeprefix("components.")))
+    return tree
+
+
+def component_lines(bed: Testbed, name: str) -> list[str]:
+    """Return the values of a component, one line each, in the units that people read."""
+    return _values(bed, bed.components[name], f"components.{name}")
+
+
+def bed_values(bed: Testbed) -> dict[str, Any]:
+    """Return a bed as plain data, in SI units."""
+    return {
+        "name": bed.name,
+        "title": bed.title,
+        "file": bed.file,
+        "sample_time": bed.sample_time,
+        "chains": [list(chain) for chain in chains(bed)],
+        "components": {name: component.model_dump(mode="json") for name, component in bed.components.items()},
+        "torque": dict(bed.roles.torque),
+        "speed": list(bed.roles.speed),
+        "tuning": bed.tuning.model_dump(mode="json"),
+        "reduction": bed.reduction.model_dump(mode="json"),
+        "assumed": list(bed.assumed),
+    }
+
+
+def _stops(bed: Testbed, chain: tuple[str, ...]) -> list[str]:
+    """Return a chain as the file has it: flanges named only where a component has more than two."""
+    stops: list[str] = []
+    for flange in chain:
+        name = flange.partition(".")[0]
+        stop = flange if len(bed.components[name].flange_names()) > 2 else name
+        if not stops or stops[-1] != stop:
+            stops.append(stop)
+    return stops
+
+
+def _values(bed: Testbed, record: Record, path: str) -> list[str]:
+    units = _units(record)
+    lines = []
+    for field in type(record).model_fields:
+        value = getattr(record, field)
+        if field == "type" or value is None or value == () or value == {}:
+            continue
+        mark = " *" if f"{path}.{field}" in bed.assumed else ""
+        if isinstance(value, Record):
+            lines.append(f"{field}:{mark} {', '.join(_values(bed, value, f'{path}.{field}'))}")
+        elif isinstance(value, float):
+            lines.append(f"{field} {readable(value, units.get(field, ''))}{mark}")
+        elif isinstance(value, dict):
+            lines.append(f"{field} {', '.join(f'{key} {entry:g}' for key, entry in value.items())}{mark}")
+        else:
+            shown = ", ".join(map(str, value)) if isinstance(value, tuple) else str(value)
+            lines.append(f"{field} {shown}{mark}")
+    return lines
+
+
+def _units(record: Record) -> dict[str, str]:
+    """Return the SI unit of each field that holds a quantity."""
+    if isinstance(record, Component):
+        parameters = record.parameters("x")
+    else:
+        parameters = Component.parameters(record, "x")  # type: ignore[arg-type]  # needs the fields of a record only
+    return {parameter.symbol.name.removeprefix("x_"): parameter.unit for parameter in parameters}

@@ -1,0 +1,180 @@
+"""A derivation as a fragment of a LaTeX document: sections, ``align*`` environments and tables.
+
+It needs the packages ``amsmath`` and ``longtable``, and nothing else.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+
+import sympy as sp
+
+from ptgen.mechanism.modes import Mode
+from ptgen.report.derivation import Derivation
+from ptgen.report.formulas import Equation, latex_expression, latex_name
+from ptgen.report.motion import Motion
+
+__all__ = ["derivation_latex", "escape"]
+
+_ESCAPES = {
+    "\\": r"\textbackslash{}",
+    "{": r"\{",
+    "}": r"\}",
+    "_": r"\_",
+    "%": r"\%",
+    "&": r"\&",
+    "#": r"\#",
+    "$": r"\$",
+    "~": r"\textasciitilde{}",
+    "^": r"\textasciicircum{}",
+}
+
+
+def escape(text: str) -> str:
+    r"""Return plain text as LaTeX.
+
+    Examples
+    --------
+    >>> escape("3 % of kg m^2")
+    '3 \\% of kg m\\textasciicircum{}2'
+    """
+    return "".join(_ESCAPES.get(letter, letter) for letter in text)
+
+
+def derivation_latex(found: Derivation) -> str:
+    """Return a derivation as LaTeX."""
+    return "\n".join(_lines(found)) + "\n"
+
+
+def _lines(found: Derivation) -> Iterator[str]:
+    yield "% Needs \\usepackage{amsmath,longtable}."
+    yield rf"\section*{{{escape(found.title)}}}"
+    sections: tuple[tuple[str, Iterable[str]], ...] = (
+        ("States", _states(found)),
+        ("Equations of motion", _motion(found.motion)),
+        ("Reduction", _reduction(found)),
+        ("Reduced model", _reduced(found)),
+        ("Relative degrees", _degrees(found)),
+        ("Decoupling matrix", _matrix(found)),
+        ("Law", _align(found.law.values())),
+        ("Testing torque from sensors", _align(found.estimates)),
+        ("Gains", _gains(found)),
+    )
+    for heading, lines in sections:
+        yield ""
+        yield rf"\subsection*{{{heading}}}"
+        yield from lines
+
+
+def _states(found: Derivation) -> Iterator[str]:
+    for title, model in (("Full model", found.model), ("Reduced model", found.reduced)):
+        velocities, twists = (escape(", ".join(names) or "none") for names in (model.coordinates, model.twists))
+        yield rf"{title}, order {model.order}: velocities {velocities}; twists {twists}."
+        yield ""
+
+
+def _motion(equations: Motion) -> Iterator[str]:
+    yield from _align((*equations.balances, *equations.shafts, *equations.twists))
+    if equations.slips:
+        yield "Friction elements that slip with the velocity $w$:"
+        rows = []
+        for slip in equations.slips:
+            friction, name = slip.friction, rf"\mathrm{{{escape(slip.friction.name)}}}"
+            capacity = latex_expression(friction.coulomb)
+            if friction.load is not None and friction.load.coefficient != 0:
+                place = rf"\mathrm{{{escape(friction.load.place)}}}"
+                capacity += rf" + {latex_expression(friction.load.coefficient)}\,\lvert T_{{{place}}}\rvert"
+            viscous = rf" + {latex_expression(friction.viscous)}\,w_{{{name}}}" if friction.viscous != 0 else ""
+            law = rf"\left({capacity}\right)\operatorname{{sgn}} w_{{{name}}}{viscous}"
+            rows.append(rf"T_{{\mathrm{{fr}},{name}}} &= {law}")
+            velocity = Equation((), slip.velocity).latex().removeprefix("0 ")
+            rows.append(rf"w_{{{name}}} {velocity}")
+        yield from _rows(rows)
+    yield from _abbreviations(equations)
+
+
+def _abbreviations(equations: Motion) -> Iterator[str]:
+    if equations.abbreviations:
+        yield "with"
+        yield from _definitions(equations.abbreviations)
+
+
+def _definitions(table: dict[sp.Symbol, sp.Expr]) -> Iterator[str]:
+    yield from _rows([f"{latex_name(symbol.name)} &= {latex_expression(made)}" for symbol, made in table.items()])
+
+
+def _align(equations: Iterable[Equation]) -> Iterator[str]:
+    yield from _rows([equation.latex() for equation in equations])
+
+
+def _rows(rows: Sequence[str]) -> Iterator[str]:
+    if not rows:
+        return
+    yield r"\begin{align*}"
+    yield from (rf"  {row} \\" for row in rows[:-1])
+    yield f"  {rows[-1]}"
+    yield r"\end{align*}"
+
+
+def _table(columns: str, head: Sequence[str], rows: Iterable[Sequence[str]]) -> Iterator[str]:
+    yield rf"\begin{{longtable}}{{{columns}}}"
+    yield " & ".join(head) + r" \\ \hline"
+    yield from (" & ".join(escape(cell) for cell in row) + r" \\" for row in rows)
+    yield r"\end{longtable}"
+
+
+def _reduction(found: Derivation) -> Iterator[str]:
+    rows = [(rule.rule, rule.element, rule.why) for rule in found.rules]
+    yield from _table(r"lp{0.25\linewidth}p{0.5\linewidth}", ("rule", "element", "why"), rows)
+    count = max(len(found.modes_before), len(found.modes_after))
+    modes = [(_mode(found.modes_before, k), _mode(found.modes_after, k)) for k in range(count)]
+    yield from _table("rr", ("mode before", "after"), modes)
+
+
+def _mode(modes: Sequence[Mode], number: int) -> str:
+    if number >= len(modes):
+        return "left out"
+    mode = modes[number]
+    rigid = mode.frequency_hz == 0
+    return "rigid body" if rigid else f"{mode.frequency_hz:.4g} Hz, {100 * mode.damping_ratio:.2g} %"
+
+
+def _reduced(found: Derivation) -> Iterator[str]:
+    equations = found.reduced_motion
+    yield from _align((*equations.balances, *equations.shafts, *equations.twists))
+    yield from _abbreviations(equations)
+    if found.used_definitions:
+        yield "Equivalent shafts:"
+        yield from _definitions(found.used_definitions)
+    yield from _table(
+        "lr",
+        ("parameter (SI)", "value"),
+        [(name, f"{value:.6g}") for name, value in found.reduced_parameters.items()],
+    )
+
+
+def _degrees(found: Derivation) -> Iterator[str]:
+    decoupling = found.decoupling
+    pairs = zip(decoupling.outputs, decoupling.relative_degrees, strict=True)
+    yield from _table("lr", ("output", "relative degree"), [(name, str(degree)) for name, degree in pairs])
+    total = sum(decoupling.relative_degrees)
+    yield rf"Total {total} of order {decoupling.system.order}: internal dynamics of order {decoupling.internal_order}."
+
+
+def _matrix(found: Derivation) -> Iterator[str]:
+    matrix = found.decoupling.matrix
+    rows = [
+        " & ".join(latex_expression(sp.factor(matrix[row, column])) for column in range(matrix.cols))
+        for row in range(matrix.rows)
+    ]
+    yield r"\begin{align*}"
+    yield r"  \begin{bmatrix}"
+    yield from (rf"    {row} \\[1ex]" for row in rows[:-1])
+    yield f"    {rows[-1]}"
+    yield r"  \end{bmatrix}"
+    yield r"\end{align*}"
+
+
+def _gains(found: Derivation) -> Iterator[str]:
+    rows = [(gain.machine, gain.description, f"{gain.value:.5g}", gain.unit) for gain in found.gains]
+    yield from _table("llrl", ("machine", "gain", "value", "unit"), rows)
