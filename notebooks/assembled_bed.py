@@ -253,5 +253,85 @@ for column, (title, f, shape) in enumerate((("locked", frequencies_locked, shape
         axes[row, column].set_title(f"{title}: {f[k]:.1f} Hz", fontsize=9)
 show(figure)
 
+# %% [markdown]
+# ## The same from ptgen's general procedures
+# The bed of Table C.1 with the differential described by its five bodies. ptgen's coordinates begin with
+# the friction velocities; its equations of motion are compared with those from the energies, entry by
+# entry: inertia, stiffness and damping matrix, air-gap and friction torques.
+
+# %%
+from beds import ROOT, bed, machine, rates, read, rename, shipped, table
+
+bevel_text = (ROOT / "testbeds" / "differential.toml").read_text(encoding="utf-8")
+start, end = bevel_text.index("[components.diff]"), bevel_text.index("[components.diff.loss]")
+bevel_table = table("diff", "bevel_differential", ratio=1.91, radius_output1="40 mm", radius_output2="50 mm",
+                    radius_pinion="30 mm", inertia_drive="0.01 kg m^2", inertia_cage="0.02 kg m^2",
+                    inertia_output1="0.01 kg m^2", inertia_output2="0.02 kg m^2", inertia_pinion="0.01 kg m^2")
+bevel_model = read(bevel_text[:start] + bevel_table + bevel_text[end:]).model
+coordinate = {"m1": "M1.shaft", "m2": "M2.shaft", "m3": "M3.shaft", "f1": "flange1.uut", "f2": "flange2.uut",
+              "f3": "flange3.uut", "di": "diff.input", "3b": "diff.pinion"}
+order = [bevel_model.coordinates.index(coordinate[n]) for n in names]
+print(bevel_model.coordinates)
+bed_names = {"M1_inertia": Im1, "M2_inertia": Im2, "M3_inertia": Im3, "flange1_inertia": If1, "flange2_inertia": If2,
+             "flange3_inertia": If3, "flange1_stiffness": cf1, "flange2_stiffness": cf2, "flange3_stiffness": cf3,
+             "cardan1_stiffness": cs1, "cardan2_stiffness": cs2, "cardan3_stiffness": cs3, "flange1_damping": df1,
+             "flange2_damping": df2, "flange3_damping": df3, "cardan1_damping": ds1, "cardan2_damping": ds2,
+             "cardan3_damping": ds3, "diff_loss_viscous": 0, "diff_limited_slip_viscous": 0}
+bevel_names = {"diff_ratio": i_d, "diff_radius_output1": r1, "diff_radius_output2": r2, "diff_radius_pinion": r3,
+               "diff_inertia_drive": I0, "diff_inertia_cage": Ic, "diff_inertia_output1": I1,
+               "diff_inertia_output2": I2, "diff_inertia_pinion": I3}
+
+
+def in_order(matrix, table_of_names):
+    """Rows and columns of a matrix over ptgen's coordinates in the order of this notebook."""
+    return rename(matrix, table_of_names).extract(order, order)
+
+
+def compare_bed(numbers, model, table_of_names, kinetic_energy, power, elastic, dissipated):
+    """Compare all matrices of a model with those that follow from the energies."""
+    E = model.twist_rows
+    check(numbers, in_order(model.mass, table_of_names), sp.hessian(kinetic_energy, list(velocities)))
+    check(numbers, in_order(E.T * model.stiffness * E, table_of_names), sp.hessian(elastic, list(angles)))
+    check(numbers, in_order(E.T * model.damping * E, table_of_names), sp.hessian(dissipated, list(velocities)))
+    applied = model.input_rows.T * sp.Matrix([Tag1, Tag2, Tag3]) - model.friction_rows.T * sp.Matrix([T_dl, T_dsl])
+    check(numbers, [rename(applied, table_of_names)[k] for k in order], [sp.diff(power, w[n]) for n in names])
+
+
+compare_bed("C.1-C.9", bevel_model, bed_names | bevel_names, kinetic, work_rate, potential, dissipation)
+
+# %% [markdown]
+# The shipped bed has the reduced symmetric differential, (C.10) to (C.14). Its equation of the pinion is
+# (C.14) when the inertia on omega_3b is I_3b r3/r1. The component alone gives (C.13), (C.14).
+
+# %%
+Idi, I3b, rho = sp.symbols("I_di I_3b rho", positive=True)
+symmetric_names = {"diff_ratio": i_d, "diff_inertia": Idi, "diff_inertia_pinion": I3b, "diff_pinion_ratio": rho}
+alone = bed(["M1 - diff.input", "diff.output1 - M2", "diff.output2 - M3"], machine("M1"), machine("M2"), machine("M3"),
+            table("diff", "differential", ratio=1.91, inertia="0.022 kg m^2", inertia_pinion="0.04 kg m^2",
+                  loss={"coulomb": "1 N m"}, limited_slip={"coulomb": "1 N m"}),
+            torque={"M1": "diff.input"}, speed=["M2", "M3"]).model
+no_machines = {"M1_inertia": 0, "M2_inertia": 0, "M3_inertia": 0}
+of_differential = rates(alone, bed_names | symmetric_names | no_machines, [S1, -S2, -S3], [T_dl, T_dsl], [w["di"], w["3b"]])
+check("C.13", (S1 - T_dl - S2 / i_d - S3 / i_d) / Idi, of_differential[0])
+check("C.14", (-S2 + S3 - T_dsl / rho) / I3b, of_differential[1])
+
+differential = shipped("differential")
+to_rho = {r3: rho * r1, r2: r1}
+shipped_energy = (kinetic.subs({I0: 0, I1: 0, I2: 0, I3: 0, Ic: 0}) + half * Idi * w["di"]**2 + half * rho * I3b * w["3b"]**2)
+compare_bed("C.10-C.14", differential.model, bed_names | symmetric_names, shipped_energy, work_rate,
+            potential.subs(to_rho), dissipation.subs(to_rho))
+
+# %% [markdown]
+# Modes with Table C.1 from `ptgen.mechanism.modes`, friction elements locked or free.
+
+# %%
+from ptgen.mechanism.modes import modes as ptgen_modes
+
+for locked, expected in ((("diff.limited_slip",), frequencies_locked), ((), frequencies_open)):
+    found = np.array([mode.frequency_hz for mode in ptgen_modes(differential.model, locked)])
+    print("locked" if locked else "open", np.round(found, 2))
+    require("ptgen's modes agree to 1e-9", np.allclose(found[found > 0], expected[-np.count_nonzero(found):], rtol=1e-9)
+            and len(found) == len(expected))
+
 # %%
 summary()

@@ -266,5 +266,82 @@ check("3.48", printed_w_pp, planetary_acceleration[1])
 check("3.49", printed_D_epi, epi_inertia.det())
 check("3.50", [w_di + r_p / r_r * w_3p, w_di - r_p / r_s * w_3p], (S_epi * epi_state)[1:3, :])
 
+# %% [markdown]
+# ## The same from ptgen's general procedures
+# Each component stands alone between machines. ptgen knows none of the formulas above: a component
+# contributes bodies and constraint rows, and the coordinates follow by exact elimination. The inertia
+# of the machines is set to zero in the result, so that their air-gap torques are the torques at the
+# flanges; at an output the machine drives against the positive direction.
+
+# %%
+from beds import bed, machine, rates, rename, table
+
+gearbox_beds = {side: bed(["M1 - gearbox1 - M2"], machine("M1"), machine("M2"),
+                          table("gearbox1", "gearbox", ratio=3, inertia="2 kg m^2", inertia_side=side),
+                          torque={"M1": "gearbox1.input"}, speed=["M2"]) for side in ("input", "output")}
+I_gb = sp.symbols("I_gb", positive=True)
+gear_names = {"M1_inertia": 0, "M2_inertia": 0, "gearbox1_ratio": i_gb, "gearbox1_inertia": I_gb}
+for side, gearbox_bed in gearbox_beds.items():
+    model = gearbox_bed.model
+    print(side, model.coordinates)
+    acceleration = rates(model, gear_names, [T_gbi, -T_gbo], [], [0])[0]
+    acceleration_gbo = acceleration / i_gb  # the coordinate is the speed of M1, at the input
+    check("3.9" if side == "input" else "3.10",
+          (T_gbi - T_gbo / i_gb) / I_gb if side == "input" else (i_gb * T_gbi - T_gbo) / I_gb,
+          acceleration if side == "input" else acceleration_gbo)
+
+# %% [markdown]
+# Bevel differential: the coordinates are those of the friction elements, omega_di and omega_3b.
+
+# %%
+three = [machine("M1"), machine("M2"), machine("M3")]
+chains_of_three = ["M1 - diff.input", "diff.output1 - M2", "diff.output2 - M3"]
+friction = {"loss": {"coulomb": "1 N m"}, "limited_slip": {"coulomb": "1 N m"}}
+bevel_bed = bed(chains_of_three, *three,
+                table("diff", "bevel_differential", ratio=3, radius_output1="40 mm", radius_output2="50 mm",
+                      radius_pinion="30 mm", inertia_drive="0.1 kg m^2", inertia_cage="0.2 kg m^2",
+                      inertia_output1="0.3 kg m^2", inertia_output2="0.4 kg m^2", inertia_pinion="0.5 kg m^2", **friction),
+                torque={"M1": "diff.input"}, speed=["M2", "M3"])
+print(bevel_bed.model.coordinates)
+no_machines = {"M1_inertia": 0, "M2_inertia": 0, "M3_inertia": 0,
+               "diff_loss_viscous": 0, "diff_limited_slip_viscous": 0}
+bevel_names = no_machines | {"diff_ratio": i_d, "diff_radius_output1": r1, "diff_radius_output2": r2,
+                             "diff_radius_pinion": r3, "diff_inertia_drive": I0, "diff_inertia_cage": I_c,
+                             "diff_inertia_output1": I1, "diff_inertia_output2": I2, "diff_inertia_pinion": I3}
+of_bevel = rates(bevel_bed.model, bevel_names, [T_di, -T_do1, -T_do2], [T_dl, T_dsl], [w_di, w_3b])
+whole = {I_d: I_c + i_d**2 * I0}
+check("3.16", (printed_w_di / printed_D_c).subs(whole), of_bevel[0])
+check("3.17", (printed_w_3b / printed_D_c).subs(whole), of_bevel[1])
+check("3.18", printed_D_c.subs(whole), rename(bevel_bed.model.mass, bevel_names).det() * i_d**2)
+check("3.19", [w_di / i_d + r3 / r1 * w_3b, w_di / i_d - r3 / r2 * w_3b],
+      [(rename(bevel_bed.model.velocity_rows[f"diff.output{k}"], bevel_names) * sp.Matrix([w_di, w_3b]))[0] for k in (1, 2)])
+
+# %% [markdown]
+# Epicyclic differential. ptgen gives the corrected (3.25).
+
+# %%
+epicyclic_bed = bed(chains_of_three, *three,
+                    table("diff", "epicyclic_differential", radius_ring="90 mm", radius_sun="40 mm", planets=3,
+                          inertia_carrier="0.1 kg m^2", inertia_ring="0.2 kg m^2", inertia_sun="0.3 kg m^2",
+                          inertia_planet="0.01 kg m^2", **friction),
+                    torque={"M1": "diff.input"}, speed=["M2", "M3"])
+epi_names = no_machines | {"diff_radius_ring": r_s + 2 * r_p, "diff_radius_sun": r_s, "diff_planets": n_p,
+                           "diff_inertia_carrier": I_c, "diff_inertia_ring": I_r, "diff_inertia_sun": I_s,
+                           "diff_inertia_planet": I_p}
+of_epicyclic = rates(epicyclic_bed.model, epi_names, [T_di, -T_do1, -T_do2], [T_dl, T_dsl], [w_di, w_3p])
+check("3.25 corrected", (corrected_epi_di / printed_D_epi).subs(geometry), of_epicyclic[0])
+erratum("3.25", (printed_epi_di / printed_D_epi).subs(geometry), of_epicyclic[0], "ptgen gives the corrected form")
+check("3.26", (printed_epi_3p / printed_D_epi).subs(geometry), of_epicyclic[1])
+check("3.27", printed_D_epi.subs(geometry), rename(epicyclic_bed.model.mass, epi_names).det())
+
+# %% [markdown]
+# The friction rows and the mass matrix give the symmetric friction matrix of (3.32).
+
+# %%
+for system_bed, names, k in ((bevel_bed, bevel_names, bevel_k.subs({r0: r_c / i_d})), (epicyclic_bed, epi_names, epi_k)):
+    G, M = system_bed.model.friction_rows, rename(system_bed.model.mass, names)
+    friction_matrix = (G * M.inv() * G.T).applyfunc(sp.cancel)
+    check("3.32", k.subs(geometry) if system_bed is epicyclic_bed else k, friction_matrix)
+
 # %%
 summary()

@@ -335,5 +335,151 @@ solution = sp.solve([p - q for p, q in zip(standard[1:], monic[1:], strict=True)
 check("5.81", d_des / (2 * sp.sqrt(c * I1)), solution[zeta])
 check("5.81 critical", root.subs(d_des, 2 * sp.sqrt(c * I1)), 0)
 
+# %% [markdown]
+# # The same from ptgen's general procedures
+# `decouple` gets a reduced model and the roles of the machines, nothing else. Its law is a share of each
+# virtual input and of each sensor.
+
+# %%
+from beds import bed, machine, rates, rename, shipped, table
+from ptgen.control.lie import affine_system, derivatives
+
+
+def law_of(design, names, machine_name):
+    """A machine's law with ptgen's symbols replaced."""
+    return rename(design.law_expressions()[machine_name], names)
+
+
+# %% [markdown]
+# ## Two machines, (5.48) to (5.62)
+# The shaft is on the side of M1, so its stiffness does not depend on the ratio, as the source assumes.
+
+# %%
+two = bed(["M1 - shaft1 - gearbox1 - flange2 - M2"], machine("M1"), machine("M2"),
+          table("shaft1", "shaft", stiffness="30 kN m/rad"), table("gearbox1", "gearbox", ratio=2, inertia="0.02 kg m^2"),
+          table("flange2", "torque_flange", inertia="0.01 kg m^2", stiffness="400 kN m/rad"),
+          torque={"M1": "shaft1"}, speed=["M2"], reduction='rigid = ["flange2"]\ndrop = ["gearbox1", "flange2"]')
+design_two = two.design.decoupling
+Tf2_sensor = sp.symbols("Tf2")
+two_names = {"M1_inertia_estimate": Im1, "M1_inertia": Im1, "M2_inertia": Im2, "shaft1_stiffness": c, "gearbox1_ratio": igb,
+             "M1_damping": d_des, "v_M1": u1, "v_M2": u2, "M1_speed": w1, "M2_speed": w2, "flange2_torque": Tf2_sensor}
+check("5.48", printed_D, rename(design_two.matrix, two_names))
+check("5.48 relative degrees", sp.Matrix([2, 1]), sp.Matrix(design_two.relative_degrees))
+if design_two.internal_order != 0:
+    raise AssertionError("the bed with two machines has no internal dynamics")
+check("5.52", u2 - Tf2_sensor, law_of(design_two, two_names, "M2"))
+printed_natural = u1 + Im1 * igb * u2 / Im2 - d_des * (w1 - igb * w2)
+check("5.62 constant ratio", printed_natural, law_of(design_two, two_names, "M1"))
+
+# %% [markdown]
+# With a ratio that changes in time, the derivatives (5.46) get the rate of the parameter, and the law
+# follows from them by the same division by the decoupling matrix. The term with d(igb)/dt of (5.62) comes
+# out. The general `decouple` holds ratios constant; a gear shift needs this additional term.
+
+# %%
+ratio_symbol = next(p.symbol for p in two.reduced.model.parameters if p.symbol.name == "gearbox1_ratio")
+forms_two = [design_two.model.without_acceleration(design_two.model.signals["shaft1"]), design_two.model.signals["M2_speed"]]
+chains_two = [derivatives(design_two.system, name, form, {ratio_symbol: igb_rate})
+              for name, form in zip(design_two.outputs, forms_two, strict=True)]
+state_two, input_two = sp.Matrix([w1, w2, dphi]), sp.Matrix([T1, T2])
+
+
+def derivative_of(chain):
+    """The delta-th derivative of an output over states and inputs."""
+    return ((rename(chain.rows[-1], two_names) * state_two) + rename(chain.input_row, two_names) * input_two)[0]
+
+
+check("5.45", c * w1 - c * igb * w2, (rename(chains_two[0].rows[1], two_names) * state_two)[0])
+check("5.46", printed_5_46, derivative_of(chains_two[0]))
+check("5.47", igb * c * dphi / Im2 + T2 / Im2, derivative_of(chains_two[1]))
+wanted_two = [-c / Im1 * c * dphi - d_des / Im1 * (c * w1 - c * igb * w2) + c / Im1 * u1, u2 / Im2]
+laws_two = sp.solve([derivative_of(chain) - want for chain, want in zip(chains_two, wanted_two, strict=True)], [T1, T2])
+check("5.62", printed_5_62, laws_two[T1])
+check("5.51", u2 - igb * c * dphi, laws_two[T2])
+
+# %% [markdown]
+# ## Three machines with adapter gearboxes, (5.69) to (5.78), (5.98)
+# The shipped bed; the stiffness (5.10) is ptgen's own. The inertia of M1 includes its gearbox (I1).
+
+# %%
+geared = shipped("differential-gearboxes")
+design = geared.design.decoupling
+i_d, igb1, rho = sp.symbols("i_d igb1 rho", positive=True)
+Tf2_s, Tf3_s = sp.symbols("Tf2 Tf3")
+three_names = {"M1_inertia_estimate": I1, "M2_inertia": Im2, "M3_inertia": Im3, "gearbox2_inertia": Igb2,
+               "gearbox3_inertia": Igb3, "gearbox1_ratio": igb1, "gearbox2_ratio": igb2, "gearbox3_ratio": igb2,
+               "diff_ratio": i_d, "diff_pinion_ratio": rho, "M1_damping": d_des, "v_M1": u1, "v_M2": u2, "v_M3": u3,
+               "M1_speed": w1, "M2_speed": w2, "M3_speed": w3, "flange2_torque": Tf2_s, "flange3_torque": Tf3_s}
+shaft_symbols = sp.symbols("cs1 cs2", positive=True)
+three_names |= {"cardan1_stiffness": shaft_symbols[0], "cardan2_stiffness": shaft_symbols[1], "cardan3_stiffness": shaft_symbols[1]}
+prime = {id_p: i_d * igb1 / igb2}
+c_geared = rename(geared.reduced.model.stiffness[0, 0], three_names)
+to_geared = total | prime | {c: c_geared}
+printed_5_69 = sp.Matrix([[k / I1, -k * id_p / (2 * I2), -k * id_p / (2 * I3)], [0, 1 / I2, 0], [0, 0, 1 / I3]])
+check("5.69", printed_5_69.subs(to_geared), rename(design.matrix, three_names))
+check("5.69 relative degrees", sp.Matrix([2, 1, 1]), sp.Matrix(design.relative_degrees))
+if design.internal_order != 0:
+    raise AssertionError("the bed with three machines has no internal dynamics")
+check("5.74", u2 - Tf2_s, law_of(design, three_names, "M2"))
+check("5.75", u3 - Tf3_s, law_of(design, three_names, "M3"))
+check("5.78", printed_5_78.subs(prime), law_of(design, three_names, "M1"))
+measured = sp.Matrix([sp.Symbol(name) for name in design.sensors])
+virtual = sp.Matrix([u1, u2, u3])
+estimate = (rename(design.law.estimate_sensors * measured, three_names) + rename(design.law.estimate_virtual, three_names) * virtual)[0]
+check("5.98 without losses", igb2 * (Tf2_s + Igb2 / Im2 * u2 + Tf3_s + Igb3 / Im3 * u3), estimate)
+check("5.95", igb2 * (Tf2_s + Tf3_s), rename(design.law.estimate_sensors * measured, three_names)[0])
+check("5.76 natural stiffness", c_geared, rename(design.stiffness[0], three_names))
+
+# %% [markdown]
+# The closed loop of the reduced model with the law in states, (5.70), (5.71), (5.76): no cross terms, and
+# nothing of the slip-limiting torque.
+
+# %%
+U_v, U_x, U_T = design.state_law
+closed = rename(design.system.A + design.system.B * U_x, three_names).applyfunc(sp.cancel)
+driven = rename(design.system.B * U_v, three_names).applyfunc(sp.cancel)
+seen = [design.model.without_acceleration(design.model.signals[name]) for name in design.outputs]
+output_rows = rename(sp.Matrix.vstack(*[sp.Matrix.hstack(form.z, form.e) for form in seen]), three_names)
+G_ptgen = (output_rows * (s * sp.eye(4) - closed).LUsolve(driven)).applyfunc(sp.cancel)
+check("5.76", G_ptgen[0, :], sp.Matrix([[printed_5_76.subs(c, c_geared), 0, 0]]))
+check("5.70", G_ptgen[1, :], sp.Matrix([[0, 1 / (Im2 * s), 0]]))
+check("5.71", G_ptgen[2, :], sp.Matrix([[0, 0, 1 / (Im3 * s)]]))
+check("5.74", rename(design.system.F + design.system.B * U_T, three_names).applyfunc(sp.cancel), sp.zeros(4, 1))
+
+# %% [markdown]
+# The damping (5.81) for a damping ratio of one, as a number: 2 sqrt(c I) with the tuned inertia.
+
+# %%
+gains = geared.design.gains
+by_hand = 2 * float(sp.sqrt(gains.stiffness["M1"] * gains.inertia_estimate["M1"]))
+print("d =", gains.damping["M1"], "N m s/rad, 2 sqrt(c I) =", by_hand)
+if abs(gains.damping["M1"] / by_hand - 1) > 1e-12:
+    raise AssertionError("(5.81)")
+
+# %% [markdown]
+# The direct bed, (7.16), (7.17), (7.20): the same without gearboxes, the torque reference at the input of the
+# differential, the torque flanges rigid as in the source. The law in states first, then from sensors.
+
+# %%
+direct_bed = shipped("differential", '\n[reduction]\nrigid = ["flange1", "flange2", "flange3"]\n')
+direct = direct_bed.design.decoupling
+direct_names = three_names | {"M1_inertia_estimate": Im1, "M1_inertia": Im1}
+c_direct = rename(direct_bed.reduced.model.stiffness[0, 0], direct_names)
+T_dsl_sensor = sp.symbols("T_dsl", real=True)
+direct_states = [w1, w2, w3, dphi]
+at_outputs = [i_d / 2 * c_direct * dphi - T_dsl_sensor / 2, i_d / 2 * c_direct * dphi + T_dsl_sensor / 2]
+spread = w1 - i_d * (w2 + w3) / 2
+printed_7_16 = [(T1 - c_direct * dphi) / Im1, (at_outputs[0] + T2) / Im2, (at_outputs[1] + T3) / Im3]
+check("7.16", printed_7_16, rates(direct.model, direct_names, [T1, T2, T3], [rho * T_dsl_sensor], direct_states))
+check("7.16", spread, (rename(direct.model.twist_rows, direct_names) * sp.Matrix([w1, w2, w3]))[0])
+printed_7_17 = [u1 - d_des * spread + Im1 * i_d / 2 * (u2 / Im2 + u3 / Im3), u2 - at_outputs[0], u3 - at_outputs[1]]
+U_v, U_x, U_T = (rename(part, direct_names) for part in direct.state_law)
+from_states = U_v * sp.Matrix([u1, u2, u3]) + U_x * sp.Matrix(direct_states) + U_T * sp.Matrix([rho * T_dsl_sensor])
+check("7.17", printed_7_17, list(from_states))
+check("7.17 from sensors", [printed_7_17[0], u2 - Tf2_s, u3 - Tf3_s], [law_of(direct, direct_names, name) for name in ("M1", "M2", "M3")])
+printed_7_20 = [u1 / Im1 - c_direct * dphi / Im1 - d_des / Im1 * spread + i_d / 2 * (u2 / Im2 + u3 / Im3), u2 / Im2, u3 / Im3, spread]
+moving = dict(zip([T1, T2, T3], from_states, strict=True))
+check("7.20", printed_7_20, [e.subs(moving) for e in [*rates(direct.model, direct_names, [T1, T2, T3], [rho * T_dsl_sensor], direct_states), spread]])
+
 # %%
 summary()

@@ -54,6 +54,16 @@ check("4.16", T_ci / Ici + T_co / Ico - (1 / Ici + 1 / Ico) * T_c, rate(differen
 # definite K22, yet the claimed sign fails; with the kinetic energy as H it never does.
 
 # %%
+order_three = sp.symbols("x1:4", real=True)
+x_general, T_general = sp.Matrix(order_three), sp.Matrix(sp.symbols("Tfr1:3", real=True))
+A_general = sp.Matrix(3, 3, sp.symbols("a:3:3"))
+K_general = sp.Matrix(3, 2, sp.symbols("k1:4(1:3)"))
+energy = (x_general.T * x_general)[0] / 2
+motion = A_general * x_general - K_general * T_general  # without input
+check("4.21", (x_general.T * A_general * x_general - x_general.T * K_general * T_general)[0],
+      (sp.Matrix([energy]).jacobian(x_general) * motion)[0])
+check("4.22", -(x_general[0:2, 0].T * K_general[0:2, :] * T_general)[0] - (x_general[2:, 0].T * K_general[2:, :] * T_general)[0],
+      -(x_general.T * K_general * T_general)[0])
 K22 = sp.Matrix([[sp.Rational(3, 2), -sp.Rational(1, 2)], [-sp.Rational(1, 2), sp.Rational(3, 2)]])
 x_example, T_example = sp.Matrix([sp.Rational(1, 10), 1]), sp.Matrix([10, 1])
 power_printed = -(x_example.T * K22 * T_example)[0]

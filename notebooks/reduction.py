@@ -471,5 +471,119 @@ axes[0].legend()
 axes[1].set_xlabel("time (s)")
 show(figure)
 
+# %% [markdown]
+# # The same from ptgen's general procedures
+# ptgen reduces a bed by rules of its own (shares of energy, static condensation). What comes out is
+# compared with the formulas of the source.
+
+# %%
+from beds import bed, machine, rates, rename, shipped, signal, table
+
+# %% [markdown]
+# ## Shafts in series, (3.6), (3.7), (B.25), (B.27), (B.30), (B.31)
+# Each equivalent shaft has its own symbols; `definitions` says what they stand for.
+
+
+# %%
+def chain_bed(count):
+    """Two machines with `count` shafts in series between them."""
+    shafts = [table(f"s{k}", "shaft", stiffness="3 kN m/rad", damping="5 N m s/rad") for k in range(1, count + 1)]
+    chain = " - ".join(["M1", *(f"s{k}" for k in range(1, count + 1)), "M2"])
+    return bed([chain], machine("M1"), machine("M2"), *shafts, torque={"M1": "s1"}, speed=["M2"])
+
+
+def equivalent(project):
+    """Stiffness and damping of the one shaft that is left, in the parameters of the file."""
+    reduced = project.reduced
+    found = {}
+    for quantity in ("stiffness", "damping"):
+        symbol = next(s for s in reduced.definitions if s.name == f"{reduced.model.twists[0]}_{quantity}")
+        expression = reduced.definitions[symbol]
+        while expression.free_symbols & set(reduced.definitions):
+            expression = expression.subs(dict(reduced.definitions))
+        found[quantity] = expression
+    return found["stiffness"], found["damping"]
+
+
+for count in (2, 3, 4):
+    c, d = sp.symbols(f"c1:{count + 1}", positive=True), sp.symbols(f"d1:{count + 1}", positive=True)
+    shaft_names = {f"s{k + 1}_stiffness": c[k] for k in range(count)} | {f"s{k + 1}_damping": d[k] for k in range(count)}
+    c_found, d_found = (rename(e, shaft_names) for e in equivalent(chain_bed(count)))
+    c_printed = 1 / sum(1 / k for k in c)
+    d_printed = sum(c_printed**2 / k**2 * y for k, y in zip(c, d, strict=True))
+    for number in ("3.6", "B.32") + {2: ("B.25",), 3: ("B.30",)}.get(count, ()):
+        check(number, c_printed, c_found)
+    for number in ("3.7", "B.33") + {2: ("B.27",), 3: ("B.31",)}.get(count, ()):
+        check(number, d_printed, d_found)
+
+# %% [markdown]
+# ## Bed without gearboxes, (5.2) to (5.7)
+# The source takes the torque flanges as rigid, so the file says the same. T_dsl of Section 5.3 is the
+# one of the differential times r1/r3, i.e. over `pinion_ratio`.
+
+# %%
+direct = shipped("differential", '\n[reduction]\nrigid = ["flange1", "flange2", "flange3"]\n')
+direct_model = direct.reduced.model
+rho = sp.symbols("rho", positive=True)
+direct_names = {"M1_inertia": Im1, "M2_inertia": Im2, "M3_inertia": Im3, "cardan1_stiffness": cs1,
+                "cardan2_stiffness": cs2, "cardan3_stiffness": cs2, "diff_ratio": i_d, "diff_pinion_ratio": rho}
+print(direct_model.coordinates, direct_model.twists, [round(m.frequency_hz, 2) for m in direct.reduced.modes_after])
+check("5.2", 2 * cs1 * cs2 / (i_d**2 * cs1 + 2 * cs2), rename(direct_model.stiffness[0, 0], direct_names))
+check("5.5", [1, -i_d / 2, -i_d / 2], list(rename(direct_model.twist_rows, direct_names)))
+variables = ([Tag1, Tag2, Tag3], [rho * T_dsl], [w1, w2, w3, dphi])
+printed_5_6 = [-ce * dphi / Im1 + Tag1 / Im1, i_d * ce * dphi / (2 * Im2) - T_dsl / (2 * Im2) + Tag2 / Im2,
+               i_d * ce * dphi / (2 * Im3) + T_dsl / (2 * Im3) + Tag3 / Im3]
+check("5.6", printed_5_6, rates(direct_model, direct_names, *variables))
+check("5.7", [ce * dphi, i_d / 2 * ce * dphi - T_dsl / 2, i_d / 2 * ce * dphi + T_dsl / 2],
+      [signal(direct_model, f"flange{k}_torque", direct_names, *variables) for k in (1, 2, 3)])
+check("5.7 place", ce * dphi, signal(direct_model, "diff.input", direct_names, *variables))
+
+# %% [markdown]
+# With unequal shafts (5.2) has a form that the source does not print: twice the shaft of the outputs
+# becomes the shaft of half the sum of the compliances, and the slip-limiting torque is felt at the input.
+
+# %%
+unequal = direct_names | {"cardan3_stiffness": cs3}
+check("5.2 unequal shafts", 1 / (1 / cs1 + i_d**2 / 4 * (1 / cs2 + 1 / cs3)), rename(direct_model.stiffness[0, 0], unequal))
+print("M1's share of T_dsl:", sp.factor(rename(direct_model.friction_rows[0, 0], unequal)))
+
+# %% [markdown]
+# ## Bed with adapter gearboxes, (5.8) to (5.13)
+
+# %%
+geared = shipped("differential-gearboxes")
+geared_model = geared.reduced.model
+geared_names = direct_names | {"gearbox1_ratio": igb1, "gearbox2_ratio": igb2, "gearbox3_ratio": igb2,
+                               "gearbox1_inertia": Igb1, "gearbox2_inertia": Igb2, "gearbox3_inertia": Igb3}
+print(geared_model.coordinates, geared_model.twists, [round(m.frequency_hz, 3) for m in geared.reduced.modes_after])
+check("5.10", printed_c_gb, rename(geared_model.stiffness[0, 0], geared_names))
+check("5.11", [1, -id_p.subs(scaled) / 2, -id_p.subs(scaled) / 2], list(rename(geared_model.twist_rows, geared_names)))
+at_flange = ([Tag1, Tag2, Tag3], [rho * T_dsl], [w1, w2, w3, dphi])
+stiff = {c_eq: printed_c_gb}
+check("5.12", [e.subs(stiff).subs(scaled).subs(total) for e in printed_5_12], rates(geared_model, geared_names, *at_flange))
+check("5.13", [e.subs(stiff).subs(scaled).subs(total) for e in printed_5_13],
+      [signal(geared_model, f"flange{k}_torque", geared_names, *at_flange) for k in (1, 2, 3)])
+
+# %% [markdown]
+# ## Bed for transmissions, (5.15) to (5.18)
+
+# %%
+transmission = bed(["M1 - flange1 - shaft1 - gearbox1 - shaft2 - flange2 - M2"], machine("M1"), machine("M2"),
+                   *(table(f"flange{k}", "torque_flange", inertia="0.01 kg m^2", stiffness="400 kN m/rad") for k in (1, 2)),
+                   *(table(f"shaft{k}", "shaft", stiffness="30 kN m/rad") for k in (1, 2)),
+                   table("gearbox1", "gearbox", ratio=2, inertia="0.02 kg m^2"),
+                   torque={"M1": "flange1"}, speed=["M2"], reduction='rigid = ["flange1", "flange2"]')
+transmission_names = {"M1_inertia": Im1, "M2_inertia": Im2, "shaft1_stiffness": cs1, "shaft2_stiffness": cs2,
+                      "gearbox1_ratio": igb}
+transmission_model = transmission.reduced.model
+print(transmission_model.coordinates, [rule.rule + " " + rule.element for rule in transmission.reduced.rules])
+check("5.15", stiffness_t, rename(transmission_model.stiffness[0, 0], transmission_names))
+check("5.17", [1, -igb], list(rename(transmission_model.twist_rows, transmission_names)))
+t_variables = ([Tag1, Tag2], [], [w1, w2, dphi])
+check("5.16", [-stiffness_t * dphi / Im1 + Tag1 / Im1, igb * stiffness_t * dphi / Im2 + Tag2 / Im2],
+      rates(transmission_model, transmission_names, *t_variables))
+check("5.18", [stiffness_t * dphi, igb * stiffness_t * dphi],
+      [signal(transmission_model, f"flange{k}_torque", transmission_names, *t_variables) for k in (1, 2)])
+
 # %%
 summary()

@@ -189,9 +189,9 @@ def _discretise(A: Any, scale: Any, duration: Any, squarings: int) -> Any:
     return E[:n, :] * ca.repmat(scale[:n], 1, total) / ca.repmat(scale.T, n, 1)
 
 
-def _subtract_product(y: Any, x: Any, A: Any, T: Any) -> Any:
+def _add_product(y: Any, x: Any, A: Any, T: Any) -> Any:
     result = type(y)(y)
-    result[: x.shape[0]] = x - A @ T
+    result[: x.shape[0]] = x + A @ T
     return result
 
 
@@ -236,7 +236,7 @@ CASADI_KERNELS: dict[str, Any] = {
     "discretise": _discretise,
     "require_definite": lambda K: (),
     "multiply": lambda A, x: A @ x[: A.shape[1]],
-    "subtract_product": _subtract_product,
+    "add_product": _add_product,
     "delay": _delay,
     "guard": _guard,
     "solve_box": _solve_box,

@@ -78,10 +78,10 @@ def multiply(A: Array, x: Array) -> Array:
     return np.einsum("...ij,...j->...i", A, x[..., : A.shape[-1]])
 
 
-def subtract_product(y: Array, x: Array, A: Array, T: Array) -> Array:
-    """Return y with its leading part replaced by ``x - A T``; x (n,), A (n, m), T (m,)."""
+def add_product(y: Array, x: Array, A: Array, T: Array) -> Array:
+    """Return y with its leading part replaced by ``x + A T``; x (n,), A (n, m), T (m,)."""
     result = y.copy()
-    result[..., : x.shape[-1]] = x - np.einsum("...ij,...j->...i", A, T)
+    result[..., : x.shape[-1]] = x + np.einsum("...ij,...j->...i", A, T)
     return result
 
 
@@ -118,7 +118,7 @@ KERNELS: dict[str, Callable[..., Any]] = {
     "discretise": discretise,
     "require_definite": require_definite,
     "multiply": multiply,
-    "subtract_product": subtract_product,
+    "add_product": add_product,
     "delay": delay,
     "guard": guard,
     "solve_box": solve_box,

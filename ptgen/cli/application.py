@@ -62,18 +62,25 @@ def main() -> None:
     """Run the command line; the console script ``ptgen``."""
     prepare_streams()
     try:
-        app(prog_name="ptgen")
-    except SystemExit as end:
-        try:
-            sys.stdout.flush()
-        except BrokenPipeError:
-            abandon_output()
-            end = SystemExit(141)
-        raise end from None
+        code = _run()
+        sys.stdout.flush()
+    except BrokenPipeError:
+        abandon_output()
+        code = 141
     except KeyboardInterrupt:
-        sys.exit(130)
+        code = 130
     except Exception as error:
         if os.environ.get(DEBUG) == "1":
             raise
         defect(error)
-        sys.exit(1)
+        code = 1
+    sys.exit(code)
+
+
+def _run() -> int | str | None:
+    """Run the application and return its exit code."""
+    try:
+        app(prog_name="ptgen")
+    except SystemExit as end:
+        return end.code
+    return 0

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from enum import Enum
+from enum import StrEnum
 from pathlib import Path
 from typing import Annotated
 
@@ -17,7 +17,7 @@ Directory = Annotated[
 ]
 
 
-class Precision(str, Enum):
+class Precision(StrEnum):
     """Floating-point type of the emitted code."""
 
     double = "double"
@@ -27,7 +27,7 @@ class Precision(str, Enum):
 PrecisionOption = Annotated[Precision, typer.Option("--precision", help="Floating-point type of the emitted code.")]
 
 
-class ControllerKind(str, Enum):
+class ControllerKind(StrEnum):
     """The controllers that a scenario can be run with."""
 
     decoupling = "decoupling"

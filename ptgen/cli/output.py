@@ -13,7 +13,7 @@ from typing import Any
 from rich.console import Console, RenderableType
 from rich.text import Text
 
-__all__ = ["messages", "print_json", "print_parts", "prepare_streams"]
+__all__ = ["messages", "prepare_streams", "print_json", "print_parts"]
 
 _PLAIN_WIDTH = 120
 """Width of tables when stdout is no terminal."""

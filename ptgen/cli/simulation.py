@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import signal
+import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from types import FrameType
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -17,7 +20,7 @@ from ptgen.cli.outcome import reported
 from ptgen.cli.output import messages, print_json, print_parts
 
 if TYPE_CHECKING:
-    from ptgen.simulate.run import Recording
+    from ptgen.simulate.recording import Recording
 
 __all__ = ["simulate"]
 
@@ -42,8 +45,8 @@ def simulate(
 ) -> None:
     """Compile controller and plant of a bed and run a scenario with them."""
     from ptgen.project import Project
+    from ptgen.report.destinations import check_destination
     from ptgen.report.figures import check_figure, save_figure
-    from ptgen.report.writing import check_destination
     from ptgen.simulate.build import build
     from ptgen.simulate.run import simulate as run
     from ptgen.testbed import load_scenario
@@ -58,7 +61,8 @@ def simulate(
         show("compile")
         library = build(project)
         show("run")
-        recording = run(project, course, controller=controller.value, library=library, progress=advance)
+        with _stoppable(advance) as progress:
+            recording = run(project, course, controller=controller.value, library=library, progress=progress)
     if output is not None:
         recording.write_csv(output)
     if plot is not None:
@@ -98,6 +102,41 @@ def _progress(title: str) -> Iterator[tuple[Callable[[str], None], Callable[[flo
             bar.update(task, completed=share)
 
         yield show, advance
+
+
+@contextmanager
+def _stoppable(advance: Callable[[float], None]) -> Iterator[Callable[[float], None]]:
+    """Let Ctrl-C stop a run in C code at its next report.
+
+    Python would raise the interrupt wherever the report has got to, and C code above it would swallow it; so the
+    signal only leaves a note, which the report then turns into the interrupt.
+
+    Yields
+    ------
+    progress : callable
+        Does what `advance` does, or raises KeyboardInterrupt.
+    """
+    stopped = False
+
+    def note(number: int, frame: FrameType | None) -> None:
+        nonlocal stopped
+        stopped = True
+
+    def progress(share: float) -> None:
+        if stopped:
+            raise KeyboardInterrupt
+        advance(share)
+
+    if threading.current_thread() is not threading.main_thread():  # only there signals can be caught
+        yield progress
+        return
+    before = signal.signal(signal.SIGINT, note)
+    try:
+        yield progress
+    finally:
+        signal.signal(signal.SIGINT, before)
+    if stopped:  # after the last report
+        raise KeyboardInterrupt
 
 
 def _summary(recording: Recording) -> list[Table | str]:

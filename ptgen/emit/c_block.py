@@ -200,7 +200,7 @@ class CBlock:
             return [str(shapes[0][0]), str(shapes[1][1])]
         if call.kernel in ("discretise", "difference", "multiply"):
             return [str(shapes[0][0]), str(shapes[0][1])]
-        if call.kernel == "subtract_product":
+        if call.kernel == "add_product":
             return [str(shapes[2][0]), str(shapes[2][1])]
         if call.kernel == "delay":
             return [str(shapes[0][0])]

@@ -42,8 +42,10 @@ def assemble(mechanism: Mechanism, first: First = "frictions") -> Model:
     ModelError
         If a velocity has neither inertia nor stiffness, or a friction element acts where there is no inertia.
     """
-    mechanism, fixed = with_exact_loops(mechanism)
+    mechanism, fixed = with_exact_loops(mechanism, first)
     coordinates = choose_coordinates(mechanism, first)
+    if first == "frictions":
+        _check_frictions(mechanism, coordinates)
     condensed = _condense(mechanism, coordinates, first)
     return _model(mechanism, condensed, fixed)
 
@@ -68,8 +70,6 @@ def _condense(mechanism: Mechanism, coordinates: Coordinates, first: First) -> _
         return _Condensed(coordinates.names, S, sp.zeros(len(velocities), len(mechanism.frictions)))
     springs = exact.stack([exact.row_vector(s.row, velocities) for s in mechanism.springs], len(velocities)) * S
     frictions = exact.stack([exact.row_vector(f.row, velocities) for f in mechanism.frictions], len(velocities)) * S
-    if first == "frictions" and any(entry != 0 for entry in frictions[:, kept:]):
-        raise _friction_without_inertia(mechanism, frictions[:, kept:])
     K = springs.T * sp.diag(*[spring.stiffness for spring in mechanism.springs]) * springs
     try:
         solved = exact.solve(K[kept:, kept:], K[kept:, :kept].row_join(frictions[:, kept:].T))
@@ -87,22 +87,24 @@ def _condense(mechanism: Mechanism, coordinates: Coordinates, first: First) -> _
     return _Condensed(coordinates.names[:kept], (S * Psi).applyfunc(sp.cancel), (S * offset).applyfunc(sp.cancel))
 
 
-def _friction_without_inertia(mechanism: Mechanism, massless: sp.Matrix) -> ModelError:
-    names = [
-        friction.name
-        for index, friction in enumerate(mechanism.frictions)
-        if any(entry != 0 for entry in massless[index, :])
-    ]
-    return ModelError(
-        [
-            Problem(
-                name,
-                "is a friction element on a velocity without inertia, where sticking and slipping are not defined",
-                "give the component on one of its sides an inertia",
-            )
-            for name in names
-        ]
+def _check_frictions(mechanism: Mechanism, coordinates: Coordinates) -> None:
+    """Raise if a friction element can move while no body does: its velocity must follow from those of the bodies."""
+    velocities, S = mechanism.velocities, coordinates.S
+    bodies = exact.stack(
+        [exact.row_vector({body.velocity: sp.Integer(1)}, velocities) for body in mechanism.bodies], len(velocities)
     )
+    rank = exact.rank(bodies * S)
+    problems = [
+        Problem(
+            friction.name,
+            "is a friction element on a velocity without inertia, where sticking and slipping are not defined",
+            "give the component on one of its sides an inertia",
+        )
+        for friction in mechanism.frictions
+        if exact.rank(bodies.col_join(exact.row_vector(friction.row, velocities)) * S) > rank
+    ]
+    if problems:
+        raise ModelError(problems)
 
 
 def _twists(springs: Sequence[Spring], rows: sp.Matrix) -> tuple[tuple[str, ...], sp.Matrix, sp.Matrix]:

@@ -25,18 +25,19 @@ class Coordinates:
     with_inertia: int
 
 
-def with_exact_loops(mechanism: Mechanism) -> tuple[Mechanism, tuple[sp.Symbol, ...]]:
+def with_exact_loops(mechanism: Mechanism, first: First) -> tuple[Mechanism, tuple[sp.Symbol, ...]]:
     """Replace the ratios of rigid loops by their values.
 
-    Over independent symbols a loop of gears would be locked; it moves because its ratios agree as numbers.
+    Over independent symbols a loop of gears would be locked, or would let velocities differ that are the same; it
+    moves because its ratios agree as numbers. So the ratios stand as numbers as soon as they make a row of the
+    constraints, or a velocity that would become a coordinate, depend on those before it.
     """
-    rows = exact.stack(
-        [exact.row_vector(constraint.row, mechanism.velocities) for constraint in mechanism.constraints],
-        len(mechanism.velocities),
-    )
-    symbols = sorted(rows.free_symbols, key=lambda symbol: symbol.name)
+    constraint_rows = _constraint_rows(mechanism)
+    symbols = sorted(constraint_rows.free_symbols, key=lambda symbol: symbol.name)
     exact_values = {symbol: sp.Rational(str(mechanism.values[symbol])) for symbol in symbols}
-    if not symbols or exact.rank(rows) == exact.rank(rows.subs(exact_values)):
+    candidates, _ = _candidates(mechanism, first)
+    rows = exact.stack([constraint_rows, *(row for _, row in candidates)], len(mechanism.velocities))
+    if not symbols or exact.independent_rows(rows) == exact.independent_rows(rows.subs(exact_values)):
         return mechanism, ()
     constraints = tuple(
         replace(
@@ -48,10 +49,14 @@ def with_exact_loops(mechanism: Mechanism) -> tuple[Mechanism, tuple[sp.Symbol, 
     return replace(mechanism, constraints=constraints), tuple(symbols)
 
 
-def choose_coordinates(mechanism: Mechanism, first: First) -> Coordinates:
-    """Choose coordinates greedily: friction velocities if they come first, machines, bodies, then the rest."""
+def _constraint_rows(mechanism: Mechanism) -> sp.Matrix:
     velocities = mechanism.velocities
-    constraint_rows = [exact.row_vector(constraint.row, velocities) for constraint in mechanism.constraints]
+    return exact.stack([exact.row_vector(c.row, velocities) for c in mechanism.constraints], len(velocities))
+
+
+def _candidates(mechanism: Mechanism, first: First) -> tuple[list[tuple[str, sp.Matrix]], int]:
+    """Return the velocities that may become coordinates, in order of preference, and how many carry inertia."""
+    velocities = mechanism.velocities
     candidates: list[tuple[str, sp.Matrix]] = []
 
     def add_velocities(names: Sequence[str]) -> None:
@@ -66,11 +71,18 @@ def choose_coordinates(mechanism: Mechanism, first: First) -> Coordinates:
     add_velocities([body.velocity for body in mechanism.bodies])
     bearing_inertia = len(candidates)
     add_velocities(velocities)
+    return candidates, bearing_inertia
 
-    rows = exact.stack(constraint_rows + [row for _, row in candidates], len(velocities))
+
+def choose_coordinates(mechanism: Mechanism, first: First) -> Coordinates:
+    """Choose coordinates greedily: friction velocities if they come first, machines, bodies, then the rest."""
+    constraint_rows = _constraint_rows(mechanism)
+    candidates, bearing_inertia = _candidates(mechanism, first)
+    rows = exact.stack([constraint_rows, *(row for _, row in candidates)], len(mechanism.velocities))
     independent = exact.independent_rows(rows)
-    chosen = [index - len(constraint_rows) for index in independent if index >= len(constraint_rows)]
-    basis = exact.stack([rows[index, :] for index in independent], len(velocities))
+    fixed = constraint_rows.shape[0]
+    chosen = [index - fixed for index in independent if index >= fixed]
+    basis = exact.stack([rows[index, :] for index in independent], len(mechanism.velocities))
     count = len(chosen)
     right = sp.zeros(len(independent) - count, count).col_join(sp.eye(count))
     S = exact.solve(basis, right)

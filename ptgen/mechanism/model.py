@@ -133,11 +133,12 @@ class Model:
         return sp.diag(*[friction.viscous for friction in self.frictions]) if self.frictions else sp.zeros(0, 0)
 
     def shape_rows(self) -> dict[str, sp.Matrix]:
-        """Return the rows of the velocities that show a mode's shape: all that carry inertia, and rotors' neighbours.
+        """Return the rows of the velocities that show a mode's shape: rotors, all that carry inertia, then the rest.
 
-        A connected flange has the velocity of its neighbour; each velocity is listed once.
+        A connected flange has the velocity of its neighbour; each velocity is listed once, under the first name.
         """
-        rows: dict[str, sp.Matrix] = {}
+        rotors = [next(iter(torque.row)) for torque in self.inputs]
+        rows: dict[str, sp.Matrix] = {name: self.velocity_rows[name] for name in rotors}
         for name, row in (*self.body_rows.items(), *self.velocity_rows.items()):
             if row not in rows.values() and any(entry != 0 for entry in row):
                 rows[name] = row

@@ -320,7 +320,7 @@ class _Plant:
             statements.append(Assign(str(element("w_free", i)), element("x_free", i)))
         statements += [
             Call("solve_box", ("friction_torque", "w_plus"), ("K", "w_free", "capacity"), "|T| <= m, w+ = w - K T"),
-            Call("subtract_product", ("x",), ("x", "x_free", "gamma_f", "friction_torque"), "x+ = x_free + Gamma_f T"),
+            Call("add_product", ("x",), ("x", "x_free", "gamma_f", "friction_torque"), "x+ = x_free + Gamma_f T"),
             *(
                 Assign(str(element("x", i)), element("w_plus", i), "exactly zero while it sticks")
                 for i in range(layout.n_f)

@@ -7,7 +7,7 @@ from typing import Any
 from rich.text import Text
 from rich.tree import Tree
 
-from ptgen.components.component import Component, Record
+from ptgen.components.component import Quantity, Record
 from ptgen.report.quantities import readable
 from ptgen.testbed.testbed import Testbed
 
@@ -111,9 +111,12 @@ def _values(bed: Testbed, record: Record, path: str) -> list[str]:
         if isinstance(value, Record):
             lines.append(f"{field}:{mark} {', '.join(_values(bed, value, f'{path}.{field}'))}")
         elif isinstance(value, float):
-            lines.append(f"{field} {readable(value, units.get(field, ''))}{mark}")
+            # A bandwidth is held as a rate, but nobody thinks of it as a speed.
+            shown = f"{value:.5g} rad/s" if "bandwidth" in field else readable(value, units.get(field, ""))
+            lines.append(f"{field} {shown}{mark}")
         elif isinstance(value, dict):
-            lines.append(f"{field} {', '.join(f'{key} {entry:g}' for key, entry in value.items())}{mark}")
+            entries = (f"{key} {readable(entry, units.get(field, ''))}" for key, entry in value.items())
+            lines.append(f"{field} {', '.join(entries)}{mark}")
         else:
             shown = ", ".join(map(str, value)) if isinstance(value, tuple) else str(value)
             lines.append(f"{field} {shown}{mark}")
@@ -122,8 +125,11 @@ def _values(bed: Testbed, record: Record, path: str) -> list[str]:
 
 def _units(record: Record) -> dict[str, str]:
     """Return the SI unit of each field that holds a quantity."""
-    if isinstance(record, Component):
-        parameters = record.parameters("x")
-    else:
-        parameters = Component.parameters(record, "x")  # type: ignore[arg-type]  # needs the fields of a record only
-    return {parameter.symbol.name.removeprefix("x_"): parameter.unit for parameter in parameters}
+    units: dict[str, str] = {}
+    for name, info in type(record).model_fields.items():
+        choices = getattr(info.annotation, "__args__", ())
+        metadata = [*info.metadata, *(meta for choice in choices for meta in getattr(choice, "__metadata__", ()))]
+        for meta in metadata:
+            if isinstance(meta, Quantity):
+                units[name] = meta.unit
+    return units

@@ -83,7 +83,7 @@ def _motion(equations: Motion) -> Iterator[str]:
             capacity = latex_expression(friction.coulomb)
             if friction.load is not None and friction.load.coefficient != 0:
                 place = rf"\mathrm{{{escape(friction.load.place)}}}"
-                capacity += rf" + {latex_expression(friction.load.coefficient)}\,\lvert T_{{{place}}}\rvert"
+                capacity += rf" + {latex_expression(friction.load.coefficient)}\,\left|T_{{{place}}}\right|"
             viscous = rf" + {latex_expression(friction.viscous)}\,w_{{{name}}}" if friction.viscous != 0 else ""
             law = rf"\left({capacity}\right)\operatorname{{sgn}} w_{{{name}}}{viscous}"
             rows.append(rf"T_{{\mathrm{{fr}},{name}}} &= {law}")
@@ -136,7 +136,7 @@ def _mode(modes: Sequence[Mode], number: int) -> str:
         return "left out"
     mode = modes[number]
     rigid = mode.frequency_hz == 0
-    return "rigid body" if rigid else f"{mode.frequency_hz:.4g} Hz, {100 * mode.damping_ratio:.2g} %"
+    return "rigid body" if rigid else f"{mode.frequency_hz:.4g} Hz, {100 * mode.damping_ratio:.3g} %"
 
 
 def _reduced(found: Derivation) -> Iterator[str]:

@@ -98,7 +98,7 @@ def _mode(modes: Sequence[Mode], number: int) -> str:
     mode = modes[number]
     if mode.frequency_hz == 0:
         return "rigid body"
-    return f"{mode.frequency_hz:.4g} Hz, {100 * mode.damping_ratio:.2g} %"
+    return f"{mode.frequency_hz:.4g} Hz, {100 * mode.damping_ratio:.3g} %"
 
 
 def _reduced(found: Derivation) -> Iterator[RenderableType]:

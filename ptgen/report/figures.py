@@ -6,18 +6,32 @@ import io
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ptgen.report.writing import check_destination, write_file
+from ptgen.files import write_file
+from ptgen.report.destinations import check_destination
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-__all__ = ["BLUE", "GREEN", "GREY", "INK", "LIGHT", "ORANGE", "PALETTE", "check_figure", "new_figure", "save_figure"]
+__all__ = [
+    "BLUE",
+    "GREEN",
+    "GREY",
+    "INK",
+    "LIGHT",
+    "ORANGE",
+    "PALETTE",
+    "REFERENCE",
+    "check_figure",
+    "new_figure",
+    "save_figure",
+]
 
 FORMATS = (".svg", ".png", ".pdf")
 
 # Okabe and Ito's palette: told apart with every common colour blindness; its yellow is too light for lines.
 BLUE, ORANGE, GREEN = "#0072B2", "#D55E00", "#009E73"
-PALETTE = (BLUE, ORANGE, GREEN, "#CC79A7", "#56B4E9", "#E69F00", "#000000")
+PALETTE = (BLUE, ORANGE, GREEN, "#CC79A7", "#56B4E9", "#E69F00", "#8C510A")
+REFERENCE = "#000000"
 INK, GREY, LIGHT = "#222222", "#777777", "#D5D5D5"
 
 _METADATA: dict[str, dict[str, Any]] = {
@@ -38,11 +52,11 @@ def check_figure(path: Path, option: str) -> None:
     check_destination(path, FORMATS, option)
 
 
-def new_figure(width: float, height: float) -> Figure:
-    """Return an empty figure of `width` times `height` inches with a constrained layout."""
+def new_figure(width: float, height: float, arranged: bool = True) -> Figure:
+    """Return an empty figure of `width` times `height` inches; `arranged` lets matplotlib place its axes."""
     from matplotlib.figure import Figure
 
-    return Figure(figsize=(width, height), layout="constrained", facecolor="white")
+    return Figure(figsize=(width, height), layout="constrained" if arranged else None, facecolor="white")
 
 
 def save_figure(figure: Figure, path: Path) -> None:
@@ -53,4 +67,4 @@ def save_figure(figure: Figure, path: Path) -> None:
     buffer = io.BytesIO()
     with mpl.rc_context(_STYLE):
         figure.savefig(buffer, format=suffix[1:], dpi=150, metadata=_METADATA[suffix])
-    write_file(path, lambda stream: stream.write(buffer.getbuffer()))
+    write_file(path, buffer.getvalue())

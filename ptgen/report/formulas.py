@@ -36,13 +36,13 @@ class Term:
 
     def text(self) -> str:
         """Return the variable as text."""
-        return self.kind.value[0].format(_plain(self.name))
+        return str(self.kind.value[0]).format(_plain(self.name))
 
     def latex(self) -> str:
         """Return the variable as LaTeX."""
         if self.kind is Kind.SIGNAL:
             return latex_name(self.name)
-        return self.kind.value[1].format(_roman(_plain(self.name)))
+        return str(self.kind.value[1]).format(_roman(_plain(self.name)))
 
 
 @dataclass(frozen=True)
@@ -54,9 +54,7 @@ class Equation:
 
     def text(self) -> str:
         """Return the equation as one line of text."""
-        return (
-            f"{_sum(self.left, text_expression, Term.text, '·')} = {_sum(self.right, text_expression, Term.text, '·')}"
-        )
+        return " = ".join(_sum(side, _text_product, "−") for side in (self.left, self.right))
 
     def latex(self) -> str:
         """Return the equation as a line of an ``align`` environment."""
@@ -87,7 +85,7 @@ def text_expression(expression: sp.Expr) -> str:
     >>> text_expression(c / i**2)
     'cardan2_stiffness/diff_ratio²'
     """
-    text = sp.sstr(_rounded(expression))
+    text = sp.sstr(_rounded(expression), full_prec=False)
     text = re.sub(r"\*\*([23])(?!\d)", lambda match: "²³"[int(match[1]) - 2], text)
     return text.replace("**", "^").replace("*", "·")
 
@@ -126,10 +124,14 @@ def latex_name(name: str) -> str:
     """
     if name.startswith("v_"):
         return f"v_{{{_roman(name[2:])}}}"
-    for ending, symbol in _SYMBOLS:
-        if name.endswith(f"_{ending}"):
+    if abbreviation := re.fullmatch(r"k_(\d+)", name):
+        return f"k_{{{abbreviation[1]}}}"
+    for word, symbol in _SYMBOLS:
+        before, found, after = f"{name}_".partition(f"_{word}_")
+        if found:
             base = f"{{{symbol}}}" if "_" in symbol else symbol
-            return f"{base}_{{{_roman(name.removesuffix(f'_{ending}'))}}}"
+            index = f"{before},{after.removesuffix('_')}" if after else before
+            return f"{base}_{{{_roman(index)}}}"
     return _roman(name)
 
 
@@ -168,6 +170,9 @@ def _sum(terms: tuple[Term, ...], product: Callable[[sp.Expr, Term], str], minus
 def _text_product(coefficient: sp.Expr, term: Term) -> str:
     if coefficient.is_number:
         return term.text() if coefficient == 1 else f"{text_expression(coefficient)}·{term.text()}"
+    if term.kind in (Kind.RATE, Kind.ACCELERATION):  # these end in a quotient themselves
+        factor = _bracketed(coefficient, sp.Add)
+        return term.text() if coefficient == 1 else f"{factor}·{term.text()}"
     above, below = coefficient.as_numer_denom()
     factor = "" if above == 1 else f"{_bracketed(above, sp.Add)}·"
     return factor + term.text() + ("" if below == 1 else f"/{_bracketed(below, (sp.Add, sp.Mul))}")

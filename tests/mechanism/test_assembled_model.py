@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
+import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from mechanism.bed_text import Bed
@@ -42,7 +43,7 @@ def value(form: LinearForm, model: Model, z: Array, e: Array, u: Array, T: Array
     return float(sum(part @ values for part, values in zip(parts, (z, e, u, T, a), strict=True)))
 
 
-@settings(max_examples=25)
+@settings(max_examples=12)
 @given(BEDS)
 def test_mass_is_symmetric_and_positive_definite(bed: Bed) -> None:
     model = assemble(Mechanism.of(bed.load()))
@@ -52,7 +53,7 @@ def test_mass_is_symmetric_and_positive_definite(bed: Bed) -> None:
     assert np.linalg.eigvalsh(mass / np.outer(scale, scale)).min() > 1e-9
 
 
-@settings(max_examples=25)
+@settings(max_examples=12)
 @given(BEDS)
 def test_eigenfrequencies_are_those_of_the_reference(bed: Bed) -> None:
     testbed = bed.load()
@@ -65,7 +66,7 @@ def test_eigenfrequencies_are_those_of_the_reference(bed: Bed) -> None:
     assert [mode.frequency_hz for mode in found].count(0.0) == rigid
 
 
-@settings(max_examples=10)
+@settings(max_examples=8)
 @given(trees())
 def test_locked_friction_removes_its_motion(bed: Bed) -> None:
     testbed = bed.load()
@@ -79,7 +80,7 @@ def test_locked_friction_removes_its_motion(bed: Bed) -> None:
     np.testing.assert_allclose(squared, expected, rtol=1e-9, atol=2e-9 * expected.max())
 
 
-@settings(max_examples=20)
+@settings(max_examples=12)
 @given(BEDS, SEEDS)
 def test_energy_changes_by_inputs_minus_friction_minus_damping(bed: Bed, seed: int) -> None:
     """Energies from the reference's bodies and springs, motion from the model."""
@@ -88,9 +89,11 @@ def test_energy_changes_by_inputs_minus_friction_minus_damping(bed: Bed, seed: i
     z, e, u, T = state(model, seed)
     a = accelerations(model, z, e, u, T)
     twist_rate = model.numeric().twist_rows @ z
-    bodies = np.array([float(evaluate_matrix(_cell(x), model.values)[0, 0]) for x in model.body_inertias.values()])
+    bodies = np.array([float(sp.sympify(x).subs(model.values)) for x in model.body_inertias.values()])
     speeds = np.vstack([evaluate_matrix(row, model.values) for row in model.body_rows.values()])
-    springs = np.vstack([evaluate_matrix(row, model.values) for row in model.spring_rows.values()] or [np.zeros((0, 0))])
+    springs = np.vstack(
+        [evaluate_matrix(row, model.values) for row in model.spring_rows.values()] or [np.zeros((0, 0))]
+    )
     part = testbed.components
     c = np.array([part[name].stiffness for name in model.spring_rows])
     d = np.array([part[name].damping for name in model.spring_rows])
@@ -103,13 +106,7 @@ def test_energy_changes_by_inputs_minus_friction_minus_damping(bed: Bed, seed: i
     assert abs(kinetic + strain - power) < 1e-9 * scale + 1e-9
 
 
-def _cell(expression: object) -> object:
-    import sympy as sp
-
-    return sp.Matrix([[expression]])
-
-
-@settings(max_examples=15)
+@settings(max_examples=8)
 @given(trees())
 def test_friction_matrix_is_symmetric_and_positive_semidefinite(bed: Bed) -> None:
     numeric = assemble(Mechanism.of(bed.load())).numeric()
@@ -118,7 +115,7 @@ def test_friction_matrix_is_symmetric_and_positive_semidefinite(bed: Bed) -> Non
     assert np.linalg.eigvalsh(K).min() > -1e-12 * abs(K).max()
 
 
-@settings(max_examples=15)
+@settings(max_examples=8)
 @given(trees())
 def test_friction_velocities_come_first(bed: Bed) -> None:
     """The friction-state transform: the first coordinates are the slip velocities themselves."""
@@ -128,7 +125,7 @@ def test_friction_velocities_come_first(bed: Bed) -> None:
     np.testing.assert_array_equal(model.numeric().friction_rows, expected)
 
 
-@settings(max_examples=20)
+@settings(max_examples=12)
 @given(BEDS, SEEDS)
 def test_accelerations_and_reactions_are_those_of_the_constrained_system(bed: Bed, seed: int) -> None:
     """Every velocity's rate, and the torque across every connection, against the KKT system of the whole bed."""
@@ -142,22 +139,24 @@ def test_accelerations_and_reactions_are_those_of_the_constrained_system(bed: Be
     testbed = bed.load()
     reference = Reference(testbed)
     mechanism = Mechanism.of(testbed)
-    model = assemble(replace(mechanism, observed=tuple(reference.connections)))
+    model = assemble(replace(mechanism, observed=tuple(link.left for link in testbed.connections)))
     z, e, u, T = state(model, seed)
     shared = [name for name in reference.names if name in model.velocity_rows]
     a = accelerations(model, z, e, u, T)
     N = reference.N[[reference.names.index(name) for name in shared]]
     v = reference.N @ np.linalg.lstsq(N, rows(model, shared) @ z, rcond=None)[0]
-    twists = np.array([float(evaluate_matrix(model.spring_rows[name], model.values)[0] @ e) for name in reference.springs])
+    twists = np.array(
+        [float(evaluate_matrix(model.spring_rows[name], model.values)[0] @ e) for name in reference.springs]
+    )
     order = [reference.frictions.index(friction.name) for friction in model.frictions]
     torques = np.zeros(len(order))
     torques[order] = T
     force = reference.applied(v, twists, u, torques)
     rates, multipliers = reference.constrained(force)
-    np.testing.assert_allclose(rows(model, shared) @ a, rates[[reference.names.index(name) for name in shared]], rtol=1e-7)
+    np.testing.assert_allclose(
+        rows(model, shared) @ a, rates[[reference.names.index(name) for name in shared]], rtol=1e-7
+    )
     scale = abs(force).max() + 1.0
-    links = dict(zip(reference.connections, multipliers[-len(testbed.connections) :], strict=False))
-    offset = len(reference.connections) - len(testbed.connections)
-    for index, link in enumerate(testbed.connections):
-        found = value(model.signals[link.left], model, z, e, u, T, a)
-        assert abs(found - multipliers[offset + index]) < 1e-7 * scale, (link, links)
+    across = multipliers[-len(testbed.connections) :]
+    found = [value(model.signals[link.left], model, z, e, u, T, a) for link in testbed.connections]
+    np.testing.assert_allclose(found, across, atol=1e-7 * scale)

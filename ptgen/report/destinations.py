@@ -1,16 +1,14 @@
-"""Files that reports are written to: checked before the work, complete or not there at all."""
+"""Where reports are written to, checked before the work that leads to them."""
 
 from __future__ import annotations
 
 import os
-import tempfile
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
-from typing import IO
 
 from ptgen.errors import Problem, RunError
 
-__all__ = ["check_destination", "write_file"]
+__all__ = ["check_destination"]
 
 
 def check_destination(path: Path, suffixes: Sequence[str], option: str) -> None:
@@ -45,51 +43,3 @@ def check_destination(path: Path, suffixes: Sequence[str], option: str) -> None:
         raise RunError(Problem(option, f'the folder "{folder}" does not exist', "create it first"), str(path))
     if not os.access(folder, os.W_OK | os.X_OK):
         raise RunError(Problem(option, f'the folder "{folder}" cannot be written to', "choose another one"), str(path))
-
-
-def write_file(path: Path, write: Callable[[IO[bytes]], object]) -> None:
-    """Write a file so that it is complete or not there: to a temporary file beside it, renamed at the end.
-
-    Parameters
-    ----------
-    path : Path
-        The file; one that exists is replaced.
-    write : callable
-        Gets the open binary file.
-
-    Raises
-    ------
-    RunError
-        If the system refuses.
-    """
-    try:
-        descriptor, temporary = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
-    except OSError as error:
-        raise _refused(path, error) from None
-    try:
-        with os.fdopen(descriptor, "wb") as stream:
-            write(stream)
-        os.chmod(temporary, 0o666 & ~_umask())  # mkstemp's files are for their owner alone
-        os.replace(temporary, path)
-    except OSError as error:
-        _remove(temporary)
-        raise _refused(path, error) from None
-    except BaseException:
-        _remove(temporary)
-        raise
-
-
-def _refused(path: Path, error: OSError) -> RunError:
-    return RunError(
-        Problem("", f"cannot be written ({error.strerror or error})", "check the folder, or choose another"), str(path)
-    )
-
-
-def _umask() -> int:
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask
-
-
-def _remove(path: str) -> None:
-    Path(path).unlink(missing_ok=True)

@@ -1,0 +1,132 @@
+"""The symbols of components in a drawing: machines as rotors, shafts as springs, gearboxes as trapezoids.
+
+Each symbol is drawn around a place of the grid and ends its stubs at `HALF` to the left and right of it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING
+
+from ptgen.report.figures import GREY, INK
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+__all__ = ["HALF", "HEIGHT", "draw_symbol"]
+
+HALF = 0.36
+"""Half the width of a symbol, stubs included."""
+
+HEIGHT = 0.26
+"""Half the height of the largest symbol."""
+
+_LINE = 1.5
+_PALE = "#F4F4F4"
+
+
+def draw_symbol(axes: Axes, kind: str, x: float, y: float, *, colour: str, text: str, mirrored: bool) -> None:
+    """Draw the symbol of a component.
+
+    Parameters
+    ----------
+    axes : Axes
+    kind : str
+        Type of the component; unknown ones become a box with their name.
+    x, y : float
+        Where its middle is.
+    colour : str
+        Fill of machines.
+    text : str
+        What stands inside machines and boxes.
+    mirrored : bool
+        Whether it is entered at its second flange.
+    """
+    draw = _SYMBOLS.get(kind)
+    if draw is None:
+        _box(axes, x, y, text)
+    else:
+        draw(axes, x, y, colour, text, mirrored)
+
+
+def _stubs(axes: Axes, x: float, y: float, inner: float) -> None:
+    for side in (-1, 1):
+        axes.plot([x + side * inner, x + side * HALF], [y, y], color=INK, lw=_LINE, solid_capstyle="butt", zorder=1)
+
+
+def _patch(axes: Axes, corners: list[tuple[float, float]], face: str) -> None:
+    from matplotlib.patches import Polygon
+
+    axes.add_patch(Polygon(corners, closed=True, facecolor=face, edgecolor=INK, linewidth=_LINE, zorder=2))
+
+
+def _label(axes: Axes, x: float, y: float, text: str, colour: str = INK, size: float = 9.0) -> None:
+    axes.text(x, y, text, ha="center", va="center", fontsize=size, color=colour, fontweight="bold", zorder=3)
+
+
+def _machine(axes: Axes, x: float, y: float, colour: str, text: str, mirrored: bool) -> None:
+    from matplotlib.patches import Circle
+
+    axes.add_patch(Circle((x, y), HEIGHT, facecolor=colour, edgecolor=INK, linewidth=_LINE, zorder=2))
+    _label(axes, x, y, text, "white", 11)
+
+
+def _shaft(axes: Axes, x: float, y: float, colour: str, text: str, mirrored: bool) -> None:
+    reach, swing = 0.22, 0.09
+    _stubs(axes, x, y, reach)
+    count = 8
+    xs = [x - reach + 2 * reach * k / count for k in range(count + 1)]
+    ys = [y, *(y + swing * (-1) ** k for k in range(count - 1)), y]
+    axes.plot(xs, ys, color=INK, lw=_LINE, solid_joinstyle="round", zorder=2)
+
+
+def _torque_flange(axes: Axes, x: float, y: float, colour: str, text: str, mirrored: bool) -> None:
+    from matplotlib.patches import Rectangle
+
+    _stubs(axes, x, y, 0.09)
+    for left in (x - 0.1, x + 0.04):
+        axes.add_patch(
+            Rectangle((left, y - 0.2), 0.06, 0.4, facecolor="#BFD7EA", edgecolor=INK, linewidth=_LINE, zorder=2)
+        )
+    axes.plot([x - 0.04, x + 0.04], [y, y], color=INK, lw=_LINE, ls=(0, (1, 1)), zorder=2)
+
+
+def _inertia(axes: Axes, x: float, y: float, colour: str, text: str, mirrored: bool) -> None:
+    from matplotlib.patches import Rectangle
+
+    _stubs(axes, x, y, 0.1)
+    axes.add_patch(Rectangle((x - 0.1, y - 0.22), 0.2, 0.44, facecolor=GREY, edgecolor=INK, linewidth=_LINE, zorder=2))
+
+
+def _gearbox(axes: Axes, x: float, y: float, colour: str, text: str, mirrored: bool) -> None:
+    _stubs(axes, x, y, 0.17)
+    small, large = 0.1, 0.24
+    left, right = (large, small) if mirrored else (small, large)
+    _patch(axes, [(x - 0.18, y - left), (x - 0.18, y + left), (x + 0.18, y + right), (x + 0.18, y - right)], _PALE)
+    _label(axes, x, y, text, size=8.0)
+
+
+def _differential(axes: Axes, x: float, y: float, colour: str, text: str, mirrored: bool) -> None:
+    _patch(axes, [(x - 0.24, y), (x + 0.24, y + 0.28), (x + 0.24, y - 0.28)], _PALE)
+    axes.plot([x + 0.06] * 2, [y - 0.1, y + 0.1], color=INK, lw=_LINE, zorder=3)
+    axes.plot([x + 0.06, x + 0.17], [y, y], color=INK, lw=_LINE, zorder=3)
+    axes.plot([x + 0.17] * 2, [y - 0.06, y + 0.06], color=INK, lw=_LINE, zorder=3)
+
+
+def _box(axes: Axes, x: float, y: float, text: str) -> None:
+    _stubs(axes, x, y, 0.24)
+    corners = [(x - 0.25, y - 0.2), (x - 0.25, y + 0.2), (x + 0.25, y + 0.2), (x + 0.25, y - 0.2)]
+    _patch(axes, corners, _PALE)
+    _label(axes, x, y, text, size=6.5)
+
+
+_SYMBOLS: Mapping[str, Callable[[Axes, float, float, str, str, bool], None]] = {
+    "machine": _machine,
+    "shaft": _shaft,
+    "torque_flange": _torque_flange,
+    "inertia": _inertia,
+    "gearbox": _gearbox,
+    "differential": _differential,
+    "bevel_differential": _differential,
+    "epicyclic_differential": _differential,
+}
