@@ -50,9 +50,7 @@ def closed_loop_matrix(
         Parameters that differ from the defaults, by name.
     """
     given = dict(parameters or {})
-    given |= {
-        signal.name: 0.0 for signal in plant.parameters if signal.name.endswith(("_coulomb", "_load"))
-    }
+    given |= {signal.name: 0.0 for signal in plant.parameters if signal.name.endswith(("_coulomb", "_load"))}
     functions = {block.name: CasadiBlock(block) for block in (controller, plant)}
     fixed = {}
     for block in (controller, plant):
@@ -68,10 +66,7 @@ def closed_loop_matrix(
     x_next = ca.vertcat(next_controller, next_plant)
     jacobian = ca.Function("jacobian", [x], [ca.jacobian(x_next, x)])
     start = [
-        value
-        for block in (controller, plant)
-        for signal in block.states
-        for value in [signal.value] * signal.size
+        value for block in (controller, plant) for signal in block.states for value in [signal.value] * signal.size
     ]
     names = CasadiBlock.names(controller.states) + CasadiBlock.names(plant.states)
     return np.array(jacobian(start).full(), dtype=np.float64), names

@@ -8,6 +8,7 @@ own ones first; the unknown friction torque of the unit under test drops out wit
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import networkx as nx
@@ -21,6 +22,7 @@ from ptgen.control.lie import AffineSystem, OutputChain, affine_system, derivati
 from ptgen.elements import SensorKind
 from ptgen.errors import ControlError
 from ptgen.mechanism import exact
+from ptgen.mechanism.abbreviation import abbreviate
 from ptgen.mechanism.mechanism import Mechanism
 from ptgen.mechanism.model import LinearForm, Model, evaluate_matrix
 from ptgen.mechanism.reduction import ReducedModel
@@ -80,6 +82,8 @@ class Decoupling:
     stiffness : tuple of Expr
         Natural stiffness that each torque-controlled machine sees (N m/rad).
     values : mapping of Symbol to float
+    definitions : mapping of Symbol to Expr
+        What the stiffnesses of equivalent shafts stand for.
     """
 
     machines: tuple[str, ...]
@@ -98,6 +102,7 @@ class Decoupling:
     inertia_estimate: tuple[sp.Symbol, ...]
     stiffness: tuple[sp.Expr, ...]
     values: dict[sp.Symbol, float]
+    definitions: Mapping[sp.Symbol, sp.Expr]
 
     @property
     def relative_degrees(self) -> tuple[int, ...]:
@@ -149,7 +154,8 @@ def decouple(reduced: ReducedModel, roles: Roles) -> Decoupling:
 def _decouple(reduced: ReducedModel, roles: Roles, machines: tuple[str, ...]) -> Decoupling:
     actuators = tuple(machines.index(name) for name in (*roles.torque, *roles.speed))
     torque_count = len(roles.torque)
-    estimates, model, values = _with_inertia_estimates(reduced.model, machines, actuators[:torque_count])
+    short = abbreviate(reduced.model)
+    estimates, model, values = _with_inertia_estimates(short.model, machines, actuators[:torque_count])
     forms = _output_forms(model, roles)
     system = affine_system(model)
     chains = tuple(derivatives(system, name, form) for name, form in forms.items())
@@ -191,6 +197,7 @@ def _decouple(reduced: ReducedModel, roles: Roles, machines: tuple[str, ...]) ->
         inertia_estimate=estimates,
         stiffness=stiffness,
         values=values,
+        definitions={**reduced.definitions, **short.definitions},
     )
 
 
@@ -210,6 +217,7 @@ def _with_inertia_estimates(
 
 
 def _output_forms(model: Model, roles: Roles) -> dict[str, LinearForm]:
+    findings.check_places(roles, model)
     forms = {place: model.without_acceleration(model.signals[place]) for place in roles.torque.values()}
     sensors = {sensor.of: sensor.name for sensor in model.sensors if sensor.kind is SensorKind.SPEED}
     for name in roles.speed:

@@ -11,13 +11,24 @@ import sympy as sp
 from numpy.typing import NDArray
 
 from ptgen.control.lie import OutputChain
-from ptgen.errors import ControlError, Problem
+from ptgen.errors import ControlError, Problem, nearest
 from ptgen.mechanism.model import Model, evaluate_matrix
 from ptgen.testbed.testbed import Roles
 
-__all__ = ["check_degrees", "check_internal", "check_regular", "unmeasured", "with_advice"]
+__all__ = ["check_degrees", "check_internal", "check_places", "check_regular", "unmeasured", "with_advice"]
 
 _SINGULAR = 1e-9
+
+
+def check_places(roles: Roles, model: Model) -> None:
+    """Raise if a torque is asked for where the model has no signal."""
+    problems = [
+        Problem(f"control.torque.{machine}", f'the model has no torque at "{place}"', nearest(place, model.signals))
+        for machine, place in roles.torque.items()
+        if place not in model.signals
+    ]
+    if problems:
+        raise ControlError(problems)
 
 
 def check_degrees(chains: Sequence[OutputChain], roles: Roles) -> None:

@@ -89,7 +89,7 @@ def wanted(decoupling: Decoupling, damping: Mapping[str, float], s: complex) -> 
 
 
 def assert_decoupled(decoupling: Decoupling, seed: int = 0) -> None:
-    """Check the whole closed loop at random complex frequencies: diagonal, as wanted, blind to the limited slip."""
+    """Check the whole closed loop at random complex frequencies: diagonal, as wanted, no slip torque in it."""
     random = np.random.default_rng(seed)
     damping = {symbol.name: float(random.uniform(1, 500)) for symbol in decoupling.damping}
     loop = ClosedLoop(decoupling, damping)
@@ -98,5 +98,7 @@ def assert_decoupled(decoupling: Decoupling, seed: int = 0) -> None:
         expected = wanted(decoupling, damping, s)
         size = abs(np.diag(expected))[:, None]  # all virtual inputs are torques, so a row has one unit
         assert np.max(abs(to_v - expected) / size) < 1e-7, (to_v, expected)
-        if to_T.shape[1]:
-            assert np.max(abs(to_T)) < 1e-6, to_T
+        # A friction torque that is part of the controlled torque itself is seen until the loop has settled.
+        seen = loop.outputs[2] * (1 - np.diag(expected))[:, None]
+        seen[decoupling.torque_count :] = 0
+        np.testing.assert_allclose(to_T, seen, atol=1e-7)
