@@ -41,9 +41,12 @@ class ClosedLoop:
     the loop through the sensors is algebraic and is solved first.
     """
 
-    def __init__(self, decoupling: Decoupling, damping: Mapping[str, float]) -> None:
+    def __init__(
+        self, decoupling: Decoupling, damping: Mapping[str, float], values: Mapping[sp.Symbol, float] | None = None
+    ) -> None:
         model = decoupling.model
-        self.values = decoupling.values | {symbol: damping[symbol.name] for symbol in decoupling.damping}
+        tuned = {symbol: damping[symbol.name] for symbol in decoupling.damping}
+        self.values = decoupling.values | tuned | dict(values or {})
         numeric = model.numeric(self.values)
         self.A, self.B, self.F = numeric.state_matrices()
         self._rates = (self.A, self.B, self.F)

@@ -29,19 +29,15 @@ def test_torque_poles_are_5_79_and_5_81(project: Project) -> None:
     """Eigenvalues of the closed loop of the reduced bed with the gains as they are emitted."""
     decoupling, found = project.design.decoupling, project.design.gains
     (machine,) = project.testbed.roles.torque
-    values = {symbol: found.inertia_estimate[machine] for symbol in decoupling.inertia_estimate}
-    decoupling.values.update({})  # the values themselves stay as they are
-    I1 = decoupling.values[decoupling.inertia_estimate[0]]
-    d = found.damping[machine] * np.sqrt(I1 / found.inertia_estimate[machine])
-    loop = ClosedLoop(decoupling, {f"{machine}_damping": d})
+    inertias = dict.fromkeys(decoupling.inertia_estimate, found.inertia_estimate[machine])
+    loop = ClosedLoop(decoupling, {f"{machine}_damping": found.damping[machine]}, inertias)
     poles = np.linalg.eigvals(loop.A + loop.B @ loop.of_x)
     moving = poles[abs(poles) > 1e-3 * abs(poles).max()]
-    c, zeta = found.stiffness[machine], project.testbed.tuning.damping_ratio
-    expected = np.sqrt(c / I1)
+    assert len(moving) == 2
+    zeta, expected = project.testbed.tuning.damping_ratio, found.natural_frequency[machine]
+    assert expected == pytest.approx(np.sqrt(found.stiffness[machine] / found.inertia_estimate[machine]))
     np.testing.assert_allclose(abs(moving), expected, rtol=1e-4)  # (5.79)
     np.testing.assert_allclose(-moving.real / abs(moving), zeta, rtol=1e-4)  # (5.81)
-    assert len(moving) == 2
-    assert values
 
 
 @pytest.mark.parametrize("zeta", [0.1, 0.5, 0.9])
@@ -95,7 +91,7 @@ def test_steady_acceleration_leaves_the_testing_torque_alone(project: Project) -
     acceleration = 10.0
     added = float(share @ (np.array(rotors) * acceleration))
     n_z, n_e = len(model.coordinates), len(model.twists)
-    rows = np.vstack([evaluate_matrix(model.velocity_rows[f"{decoupling.machines[k]}.shaft"], model.values) for k in others])
+    rows = numeric.input_rows[others]
     B = numeric.input_rows.T
     matrix = np.block(
         [

@@ -49,7 +49,7 @@ class Bed:
             lines += ["", f"[components.{name}]", *(f"{key} = {_value(key, value)}" for key, value in fields.items())]
         pairs = ", ".join(f"{machine} = {json.dumps(place)}" for machine, place in self.torque.items())
         lines += ["", "[control]", f"torque = {{ {pairs} }}", f"speed = {json.dumps(self.speed)}"]
-        lines += [f"{key} = {json.dumps(value)}" for key, value in self.control.items()]
+        lines += [f"{key} = {_value(key, value)}" for key, value in self.control.items()]
         lines += ["", "[reduction]", *(f"{key} = {json.dumps(value)}" for key, value in self.reduction.items())]
         return "\n".join(lines) + "\n"
 

@@ -1,0 +1,132 @@
+"""ptgen from Python, stage by stage.
+
+    >>> import ptgen
+    >>> bed = ptgen.load("testbeds/differential.toml")          # doctest: +SKIP
+    >>> model = bed.assemble()                                  # doctest: +SKIP
+    >>> [mode.frequency_hz for mode in model.modes()]           # doctest: +SKIP
+    >>> design = model.reduce().decouple()                      # doctest: +SKIP
+    >>> controller, plant = design.blocks()                     # doctest: +SKIP
+    >>> ptgen.emit(design, "build/differential")                # doctest: +SKIP
+    >>> recording = ptgen.simulate(design, "scenarios/differential-run.toml")  # doctest: +SKIP
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from ptgen.block.block import Block
+from ptgen.control.design import ControlDesign
+from ptgen.emit.c_expressions import Precision
+from ptgen.emit.project import generate
+from ptgen.mechanism.model import Model
+from ptgen.mechanism.modes import Mode, modes
+from ptgen.mechanism.reduction import ReducedModel
+from ptgen.project import Project
+from ptgen.simulate.recording import Recording
+from ptgen.simulate.run import ControllerName
+from ptgen.simulate.run import simulate as run_scenario
+from ptgen.testbed import Roles, Testbed, load_scenario
+
+__all__ = ["AssembledBed", "Bed", "DesignedBed", "ReducedBed", "emit", "load", "simulate"]
+
+
+@dataclass(frozen=True)
+class Bed:
+    """A test bed that was read; `project` holds its stages."""
+
+    project: Project
+
+    @property
+    def testbed(self) -> Testbed:
+        """What the file says, in SI units."""
+        return self.project.testbed
+
+    def assemble(self) -> AssembledBed:
+        """Derive the full model."""
+        return AssembledBed(self.project, self.project.model)
+
+
+@dataclass(frozen=True)
+class AssembledBed:
+    """A bed with its full `model`."""
+
+    project: Project
+    model: Model
+
+    def modes(self, locked: Collection[str] = ()) -> tuple[Mode, ...]:
+        """Return the modes with the named friction elements locked, all others free."""
+        return modes(self.model, locked)
+
+    def reduce(self, **settings: Any) -> ReducedBed:
+        """Reduce the model; `settings` replace those of the file's section ``[reduction]``, such as ``rigid``."""
+        project = self.project
+        if settings:
+            merged = {**project.testbed.reduction.model_dump(), **settings}
+            reduction = type(project.testbed.reduction).model_validate(merged)
+            project = Project(replace(project.testbed, reduction=reduction))
+        return ReducedBed(project, project.reduced)
+
+
+@dataclass(frozen=True)
+class ReducedBed:
+    """A bed with its `reduced` model."""
+
+    project: Project
+    reduced: ReducedModel
+
+    def decouple(self, torque: Mapping[str, str] | None = None, speed: Sequence[str] | None = None) -> DesignedBed:
+        """Design the controller; `torque` and `speed` replace the roles in the file.
+
+        Raises
+        ------
+        ControlError
+            If the roles allow no decoupling; the error names others that do.
+        """
+        project = self.project
+        if torque is not None or speed is not None:
+            roles = project.testbed.roles
+            roles = Roles(
+                torque=dict(torque if torque is not None else roles.torque),
+                speed=tuple(speed if speed is not None else roles.speed),
+            )
+            project = Project(replace(project.testbed, roles=roles))
+        return DesignedBed(project, project.design)
+
+
+@dataclass(frozen=True)
+class DesignedBed:
+    """A bed with its control `design`."""
+
+    project: Project
+    design: ControlDesign
+
+    def blocks(self) -> tuple[Block, Block]:
+        """Return the blocks of controller and plant."""
+        return self.project.blocks()
+
+
+def load(path: str | Path) -> Bed:
+    """Read a test bed file.
+
+    Raises
+    ------
+    TestbedError
+        With all problems of the file.
+    """
+    return Bed(Project.read(path))
+
+
+def emit(bed: Bed | DesignedBed, directory: str | Path, precision: Precision = "double") -> list[Path]:
+    """Write the C project of a bed; see `ptgen.emit.project.generate`."""
+    return generate(bed.project, Path(directory), precision)
+
+
+def simulate(
+    bed: Bed | DesignedBed, scenario: str | Path, controller: ControllerName = "decoupling", **options: Any
+) -> Recording:
+    """Run a scenario file in closed loop; `options` go to `ptgen.simulate.run.simulate`."""
+    project = bed.project
+    return run_scenario(project, load_scenario(scenario, project.testbed), controller=controller, **options)
