@@ -70,6 +70,16 @@ def rename(value, names: Mapping[str, object]):
     return value.subs(replaced, simultaneous=True) if hasattr(value, "subs") else value
 
 
+def with_definitions(names: Mapping[str, object], definitions: Mapping[sp.Symbol, sp.Expr]) -> dict[str, object]:
+    """Return `names` and the parameters of equivalent shafts, spelled out in them."""
+    spelled = dict(names)
+    for symbol, expression in definitions.items():
+        while expression.free_symbols & set(definitions):
+            expression = expression.subs(dict(definitions))
+        spelled.setdefault(symbol.name, rename(expression, names))
+    return spelled
+
+
 def rates(model, names: Mapping[str, object], inputs: list, frictions: list, states: list) -> list:
     """Return the accelerations of a model's coordinates as expressions over the given variables."""
     form = model.accelerations()

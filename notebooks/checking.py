@@ -39,8 +39,10 @@ def is_zero(expression) -> bool:
     expression = sp.sympify(expression)
     if expression.is_zero:
         return True
-    if sp.cancel(sp.together(expression)) == 0:
+    if sp.expand(sp.fraction(sp.together(expression))[0]) == 0:
         return True
+    if expression.is_rational_function(*expression.free_symbols):
+        return False
     return sp.simplify(expression) == 0
 
 

@@ -341,7 +341,7 @@ check("5.81 critical", root.subs(d_des, 2 * sp.sqrt(c * I1)), 0)
 # virtual input and of each sensor.
 
 # %%
-from beds import bed, machine, rates, rename, shipped, table
+from beds import bed, machine, rates, rename, shipped, table, with_definitions
 from ptgen.control.lie import affine_system, derivatives
 
 
@@ -363,6 +363,7 @@ design_two = two.design.decoupling
 Tf2_sensor = sp.symbols("Tf2")
 two_names = {"M1_inertia_estimate": Im1, "M1_inertia": Im1, "M2_inertia": Im2, "shaft1_stiffness": c, "gearbox1_ratio": igb,
              "M1_damping": d_des, "v_M1": u1, "v_M2": u2, "M1_speed": w1, "M2_speed": w2, "flange2_torque": Tf2_sensor}
+two_names = with_definitions(two_names, design_two.definitions)
 check("5.48", printed_D, rename(design_two.matrix, two_names))
 check("5.48 relative degrees", sp.Matrix([2, 1]), sp.Matrix(design_two.relative_degrees))
 if design_two.internal_order != 0:
@@ -412,6 +413,7 @@ three_names = {"M1_inertia_estimate": I1, "M2_inertia": Im2, "M3_inertia": Im3, 
                "M1_speed": w1, "M2_speed": w2, "M3_speed": w3, "flange2_torque": Tf2_s, "flange3_torque": Tf3_s}
 shaft_symbols = sp.symbols("cs1 cs2", positive=True)
 three_names |= {"cardan1_stiffness": shaft_symbols[0], "cardan2_stiffness": shaft_symbols[1], "cardan3_stiffness": shaft_symbols[1]}
+three_names = with_definitions(three_names, design.definitions)
 prime = {id_p: i_d * igb1 / igb2}
 c_geared = rename(geared.reduced.model.stiffness[0, 0], three_names)
 to_geared = total | prime | {c: c_geared}
@@ -463,7 +465,8 @@ if abs(gains.damping["M1"] / by_hand - 1) > 1e-12:
 # %%
 direct_bed = shipped("differential", '\n[reduction]\nrigid = ["flange1", "flange2", "flange3"]\n')
 direct = direct_bed.design.decoupling
-direct_names = three_names | {"M1_inertia_estimate": Im1, "M1_inertia": Im1}
+bed_names = {name: value for name, value in three_names.items() if "equivalent" not in name}
+direct_names = with_definitions(bed_names | {"M1_inertia_estimate": Im1, "M1_inertia": Im1}, direct.definitions)
 c_direct = rename(direct_bed.reduced.model.stiffness[0, 0], direct_names)
 T_dsl_sensor = sp.symbols("T_dsl", real=True)
 direct_states = [w1, w2, w3, dphi]

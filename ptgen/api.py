@@ -1,13 +1,13 @@
 """ptgen from Python, stage by stage.
 
-    >>> import ptgen
-    >>> bed = ptgen.load("testbeds/differential.toml")          # doctest: +SKIP
-    >>> model = bed.assemble()                                  # doctest: +SKIP
-    >>> [mode.frequency_hz for mode in model.modes()]           # doctest: +SKIP
-    >>> design = model.reduce().decouple()                      # doctest: +SKIP
-    >>> controller, plant = design.blocks()                     # doctest: +SKIP
-    >>> ptgen.emit(design, "build/differential")                # doctest: +SKIP
-    >>> recording = ptgen.simulate(design, "scenarios/differential-run.toml")  # doctest: +SKIP
+>>> import ptgen
+>>> bed = ptgen.load("testbeds/differential.toml")          # doctest: +SKIP
+>>> model = bed.assemble()                                  # doctest: +SKIP
+>>> [mode.frequency_hz for mode in model.modes()]           # doctest: +SKIP
+>>> design = model.reduce().decouple()                      # doctest: +SKIP
+>>> controller, plant = design.blocks()                     # doctest: +SKIP
+>>> ptgen.emit(design, "build/differential")                # doctest: +SKIP
+>>> recording = ptgen.simulate(design, "scenarios/differential-run.toml")  # doctest: +SKIP
 """
 
 from __future__ import annotations

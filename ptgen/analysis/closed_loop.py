@@ -50,7 +50,11 @@ def closed_loop_matrix(
         Parameters that differ from the defaults, by name.
     """
     given = dict(parameters or {})
-    given |= {signal.name: 0.0 for signal in plant.parameters if signal.name.endswith(("_coulomb", "_load"))}
+    given |= {
+        signal.name: 0.0
+        for signal in plant.parameters
+        if signal.name.endswith(("_coulomb", "_load")) or signal.name == "standstill_speed"
+    }
     functions = {block.name: CasadiBlock(block) for block in (controller, plant)}
     fixed = {}
     for block in (controller, plant):

@@ -75,7 +75,7 @@ def discretise(A: Array, scale: Array, duration: Array, *numbers: int) -> Array:
 
 def multiply(A: Array, x: Array) -> Array:
     """Return ``A x``; x may be longer than A has columns, the rest is not used."""
-    return np.einsum("...ij,...j->...i", A, x[..., : A.shape[-1]])
+    return np.asarray(np.einsum("...ij,...j->...i", A, x[..., : A.shape[-1]]), dtype=np.float64)
 
 
 def add_product(y: Array, x: Array, A: Array, T: Array) -> Array:

@@ -352,7 +352,7 @@ def _measured_law(
             ),
         )
         R[machine, :] = combination(sp.Matrix.hstack(U_x[machine, :], U_T[machine, :]), order, f"the law of {name}")
-    P = (U_v - R * D_s * U_v).applyfunc(sp.cancel)
+    P = exact.canonical(U_v - R * D_s * U_v)
 
     estimate = sp.zeros(torque_count, count)
     for index in range(torque_count):
@@ -365,7 +365,7 @@ def _measured_law(
         )
         wanted = sp.Matrix.hstack(form.z, form.e, form.f)
         estimate[index, :] = combination(wanted, order, f"the torque at {place}")
-    return Law(P, R.applyfunc(sp.cancel), estimate, (-estimate * D_s * U_v).applyfunc(sp.cancel))
+    return Law(P, exact.canonical(R), estimate, exact.canonical(-estimate * D_s * U_v))
 
 
 def _graph(mechanism: Mechanism) -> nx.Graph:

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from ptgen.mechanism import exact
 from ptgen.mechanism.model import LinearForm, Model
 
 __all__ = ["AffineSystem", "OutputChain", "affine_system", "derivatives"]
@@ -85,10 +86,10 @@ def derivatives(
         return OutputChain(name, (row,), form.u, form.f, 0)
     disturbance = form.f
     for degree in range(1, system.order + 1):
-        input_row = (row * system.B).applyfunc(sp.cancel)
-        disturbance = (row * system.F).applyfunc(sp.cancel)
+        input_row = exact.canonical(row * system.B)
+        disturbance = exact.canonical(row * system.F)
         drift = sum((row.diff(symbol) * rate for symbol, rate in (rates or {}).items()), sp.zeros(1, system.order))
-        row = (row * system.A + drift).applyfunc(sp.cancel)
+        row = exact.canonical(row * system.A + drift)
         rows.append(row)
         if any(entry != 0 for entry in input_row):
             return OutputChain(name, tuple(rows), input_row, disturbance, degree)

@@ -84,7 +84,7 @@ class CExpressions(C99CodePrinter):  # type: ignore[misc]
 
     def _fold(self, function: str, arguments: Any) -> str:
         texts = [self._print(argument) for argument in arguments]
-        result = texts[0]
+        result: str = texts[0]
         for text in texts[1:]:
             result = f"{self._prefix_name}_{function}({result}, {text})"
         return result
@@ -105,7 +105,7 @@ class CExpressions(C99CodePrinter):  # type: ignore[misc]
         return f"{self._prefix_name}_sign({self._print(expr.args[0])})"
 
     def _print_Piecewise(self, expr: Any) -> str:
-        text = self._print(expr.args[-1][0])
+        text: str = self._print(expr.args[-1][0])
         for branch, condition in reversed(expr.args[:-1]):
             text = f"(({self._print(condition)}) ? {self._print(branch)} : {text})"
         return text

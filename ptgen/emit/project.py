@@ -19,7 +19,7 @@ __all__ = ["RecordedSignal", "generate", "project_files", "recorded_signals"]
 _FAILURE_TEXTS = {
     "mass_matrix": "the inertia matrix is not positive definite",
     "exponential_range": "the parameters are too far from those that the code was emitted for; emit it again",
-    "friction_matrix": "a mode of the bed is too fast for the step; make its shaft softer or rigid, or the step shorter",
+    "friction_matrix": "a mode of the bed is too fast for the step; make its shaft softer or rigid, or shorten the step",
 }
 
 

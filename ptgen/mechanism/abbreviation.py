@@ -47,7 +47,7 @@ def abbreviate(model: Model) -> AbbreviatedModel:
         if all(entry == 0 for entry in form.e):
             return form
         ratios = exact.solve(C.T, form.e.T).T
-        return replace(form, e=(ratios * short).applyfunc(sp.cancel))
+        return replace(form, e=exact.canonical(ratios * short))
 
     parameters = tuple(
         Parameter(

@@ -84,7 +84,7 @@ def _condense(mechanism: Mechanism, coordinates: Coordinates, first: First) -> _
         ) from None
     Psi = sp.eye(kept).col_join(-solved[:, :kept])
     offset = sp.zeros(kept, frictions.shape[0]).col_join(-solved[:, kept:])
-    return _Condensed(coordinates.names[:kept], (S * Psi).applyfunc(sp.cancel), (S * offset).applyfunc(sp.cancel))
+    return _Condensed(coordinates.names[:kept], exact.canonical(S * Psi), exact.canonical(S * offset))
 
 
 def _check_frictions(mechanism: Mechanism, coordinates: Coordinates) -> None:
@@ -119,10 +119,10 @@ def _twists(springs: Sequence[Spring], rows: sp.Matrix) -> tuple[tuple[str, ...]
         row = rows[index, :]
         leading = next(entry for entry in row if entry != 0)
         factor = sp.Integer(1) if leading.is_Integer else sp.cancel(1 / leading)
-        scaled.append((row * factor).applyfunc(sp.cancel))
+        scaled.append(exact.canonical(row * factor))
         names.append(springs[index].name)
     E = exact.stack(scaled, rows.shape[1])
-    L = exact.row_combination(rows, E).applyfunc(sp.cancel) if independent else sp.zeros(rows.shape[0], 0)
+    L = exact.canonical(exact.row_combination(rows, E)) if independent else sp.zeros(rows.shape[0], 0)
     return tuple(names), E, L
 
 
@@ -131,9 +131,8 @@ def _model(mechanism: Mechanism, condensed: _Condensed, fixed: tuple[sp.Symbol, 
     n_z, n_u = len(condensed.names), len(mechanism.torques)
 
     def rows(elements: Sequence[Row]) -> sp.Matrix:
-        return (
-            exact.stack([exact.row_vector(row, velocities) for row in elements], len(velocities)) * follow
-        ).applyfunc(sp.cancel)
+        stacked = exact.stack([exact.row_vector(row, velocities) for row in elements], len(velocities))
+        return exact.canonical(stacked * follow)
 
     body_rows = rows([{body.velocity: sp.Integer(1)} for body in mechanism.bodies])
     inertias = sp.diag(*[body.inertia for body in mechanism.bodies])
@@ -149,10 +148,10 @@ def _model(mechanism: Mechanism, condensed: _Condensed, fixed: tuple[sp.Symbol, 
         twist = L[index, :]
         offset = exact.row_vector(spring.row, velocities) * condensed.offset
         spring_torques[spring.name] = LinearForm(
-            z=(spring.damping * twist * E).applyfunc(sp.cancel) if n_e else sp.zeros(1, n_z),
-            e=(spring.stiffness * twist).applyfunc(sp.cancel),
+            z=exact.canonical(spring.damping * twist * E) if n_e else sp.zeros(1, n_z),
+            e=exact.canonical(spring.stiffness * twist),
             u=sp.zeros(1, n_u),
-            f=(spring.stiffness * offset).applyfunc(sp.cancel),
+            f=exact.canonical(spring.stiffness * offset),
             a=sp.zeros(1, n_z),
         )
 
@@ -160,11 +159,11 @@ def _model(mechanism: Mechanism, condensed: _Condensed, fixed: tuple[sp.Symbol, 
         name=mechanism.name,
         coordinates=condensed.names,
         velocity_rows=velocity_rows,
-        mass=(body_rows.T * inertias * body_rows).applyfunc(sp.cancel),
+        mass=exact.canonical(body_rows.T * inertias * body_rows),
         twists=twists,
         twist_rows=E,
-        stiffness=(L.T * c * L).applyfunc(sp.cancel),
-        damping=(L.T * d * L).applyfunc(sp.cancel),
+        stiffness=exact.canonical(L.T * c * L),
+        damping=exact.canonical(L.T * d * L),
         inputs=mechanism.torques,
         input_rows=rows([torque.row for torque in mechanism.torques]),
         frictions=mechanism.frictions,

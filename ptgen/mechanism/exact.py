@@ -13,6 +13,7 @@ from sympy.polys.matrices import DomainMatrix
 
 __all__ = [
     "SingularMatrixError",
+    "canonical",
     "independent_rows",
     "preferred_solution",
     "rank",
@@ -29,6 +30,20 @@ class SingularMatrixError(ValueError):
 
 def _domain(matrix: sp.Matrix) -> DomainMatrix:
     return DomainMatrix.from_Matrix(matrix).to_field().to_sparse()
+
+
+def canonical(matrix: sp.Matrix) -> sp.Matrix:
+    """Return the matrix with every entry as a reduced fraction of polynomials.
+
+    Examples
+    --------
+    >>> a, b = sp.symbols("a b")
+    >>> canonical(sp.Matrix([[(a**2 - b**2) / (a - b)]]))
+    Matrix([[a + b]])
+    """
+    if 0 in matrix.shape or not matrix.free_symbols:
+        return matrix
+    return _domain(matrix).to_Matrix()
 
 
 def rank(matrix: sp.Matrix) -> int:

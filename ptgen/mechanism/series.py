@@ -16,6 +16,7 @@ import sympy as sp
 
 from ptgen.elements import Constraint, Parameter, Row, Spring
 from ptgen.mechanism.mechanism import Mechanism
+from ptgen.mechanism.model import evaluate_matrix
 
 __all__ = ["SeriesShafts", "equivalent_shaft", "join_series"]
 
@@ -122,7 +123,7 @@ def _join(shafts: SeriesShafts, group: frozenset[str], first: Spring, second: Sp
     row: Row = {outside1: first.row[outside1], outside2: sign2 * second.row[outside2]}
     table = mechanism.values
     new_parameters = tuple(
-        Parameter(symbol, float(expression.subs(table)), unit, text, positive=positive)
+        Parameter(symbol, float(evaluate_matrix(sp.Matrix([[expression]]), table)[0, 0]), unit, text, positive=positive)
         for symbol, expression, unit, text, positive in (
             (stiffness, c, "N m/rad", f"stiffness of {', '.join(members)} in series", True),
             (damping, d, "N m s/rad", f"damping of {', '.join(members)} in series", False),

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 import sympy as sp
 
 from ptgen.elements import Row, SensorKind
+from ptgen.mechanism import exact
 from ptgen.mechanism.mechanism import Mechanism
 from ptgen.mechanism.model import LinearForm
 from ptgen.mechanism.reaction import reaction
@@ -106,4 +107,4 @@ class SignalForms:
             if body.velocity in q:
                 row = self._velocity_rows[body.velocity] * (-q[body.velocity] * body.inertia)
                 form = form + LinearForm(z=sp.zeros(1, self._n_z), e=form.e * 0, u=form.u * 0, f=form.f * 0, a=row)
-        return LinearForm(*(part.applyfunc(sp.cancel) for part in (form.z, form.e, form.u, form.f, form.a)))
+        return LinearForm(*(exact.canonical(part) for part in (form.z, form.e, form.u, form.f, form.a)))

@@ -29,6 +29,9 @@ __all__ = ["DELAY_CAPACITY", "plant_block", "signal_name"]
 DELAY_CAPACITY = 16
 """Steps of dead time for which every delay line has room, one more than can be asked for."""
 
+STANDSTILL = 1e-9
+"""Friction velocity (rad/s) below which an element counts as standing; one revolution in two hundred years."""
+
 _MARGIN = 8.0
 """Factor by which tuned parameters may raise the norm of the exponential's argument."""
 
@@ -120,6 +123,15 @@ class _Plant:
         ]
         parameters = [self._bounded(signal) for signal in parameters]
         sample = Signal("sample_time", "s", "step of the plant", value=self.sample_time, least=0.0, least_allowed=False)
+        friction_parameters = (
+            (
+                Signal(
+                    "standstill_speed", "rad/s", "friction velocities below this are none", value=STANDSTILL, least=0.0
+                ),
+            )
+            if n_f
+            else ()
+        )
         force_columns = layout.n_z + layout.n_e + n_u + n_f
         derived = [
             Signal("transition", "", "x at the end of the step without friction torques", (n, width)),
@@ -172,7 +184,7 @@ class _Plant:
         return Block(
             name="plant",
             description=f"plant of the bed {self.model.name}",
-            parameters=(*parameters, sample),
+            parameters=(*parameters, *friction_parameters, sample),
             inputs=tuple(Signal(f"{m}_torque_ref", "N m", f"air-gap torque reference of {m}") for m in self._names()),
             outputs=self._outputs(),
             states=tuple(states),
@@ -321,12 +333,20 @@ class _Plant:
         statements += [
             Call("solve_box", ("friction_torque", "w_plus"), ("K", "w_free", "capacity"), "|T| <= m, w+ = w - K T"),
             Call("add_product", ("x",), ("x", "x_free", "gamma_f", "friction_torque"), "x+ = x_free + Gamma_f T"),
-            *(
-                Assign(str(element("x", i)), element("w_plus", i), "exactly zero while it sticks")
-                for i in range(layout.n_f)
-            ),
+            *(self._settled(i) for i in range(layout.n_f)),
         ]
         return tuple(statements)
+
+    def _settled(self, i: int) -> Assign:
+        """Return the statement that takes over a friction velocity.
+
+        A velocity that dies away while its torque is at the limit would end in the rounding of zero and go back and
+        forth between sticking and slipping for ever.
+        """
+        velocity = element("w_plus", i)
+        stands = sp.Abs(velocity) < sp.Symbol("standstill_speed", real=True)
+        source = "exactly zero while it sticks"
+        return Assign(str(element("x", i)), sp.Piecewise((sp.Integer(0), stands), (velocity, True)), source)
 
     def _predicted(self, k: int) -> sp.Expr:
         if k >= self.layout.n:

@@ -13,6 +13,7 @@ from ptgen.mechanism.modes import Mode
 from ptgen.report.derivation import Derivation
 from ptgen.report.formulas import Equation, latex_expression, latex_name
 from ptgen.report.motion import Motion
+from ptgen.report.quantities import percent
 
 __all__ = ["derivation_latex", "escape"]
 
@@ -136,7 +137,7 @@ def _mode(modes: Sequence[Mode], number: int) -> str:
         return "left out"
     mode = modes[number]
     rigid = mode.frequency_hz == 0
-    return "rigid body" if rigid else f"{mode.frequency_hz:.4g} Hz, {100 * mode.damping_ratio:.3g} %"
+    return "rigid body" if rigid else f"{mode.frequency_hz:.4g} Hz, {percent(mode.damping_ratio)}"
 
 
 def _reduced(found: Derivation) -> Iterator[str]:

@@ -15,7 +15,7 @@ from ptgen.mechanism.modes import Mode
 from ptgen.report.derivation import Derivation
 from ptgen.report.formulas import Equation, text_expression
 from ptgen.report.motion import Motion
-from ptgen.report.quantities import readable
+from ptgen.report.quantities import percent, readable
 
 __all__ = ["derivation_text"]
 
@@ -98,7 +98,7 @@ def _mode(modes: Sequence[Mode], number: int) -> str:
     mode = modes[number]
     if mode.frequency_hz == 0:
         return "rigid body"
-    return f"{mode.frequency_hz:.4g} Hz, {100 * mode.damping_ratio:.3g} %"
+    return f"{mode.frequency_hz:.4g} Hz, {percent(mode.damping_ratio)}"
 
 
 def _reduced(found: Derivation) -> Iterator[RenderableType]:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from ptgen.mechanism.modes import Mode
 from ptgen.report.bed_tree import chains
 from ptgen.report.figures import GREY, INK, LIGHT, PALETTE, new_figure
+from ptgen.report.quantities import percent
 from ptgen.testbed.testbed import Testbed
 
 if TYPE_CHECKING:
@@ -133,7 +134,7 @@ def _draw(axes: Axes, group: Sequence[Mode], shown: Sequence[Path]) -> None:
 def _title(group: Sequence[Mode]) -> str:
     mode = group[0]
     if mode.frequency_hz > 0:
-        return f"{mode.frequency_hz:.3g} Hz, damping {100 * mode.damping_ratio:.3g} %"
+        return f"{mode.frequency_hz:.3g} Hz, damping {percent(mode.damping_ratio)}"
     return "rigid body" if len(group) == 1 else f"rigid body, {len(group)} modes"
 
 

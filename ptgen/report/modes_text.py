@@ -10,6 +10,7 @@ from rich.table import Table
 from rich.text import Text
 
 from ptgen.mechanism.modes import Mode
+from ptgen.report.quantities import percent
 
 __all__ = ["modes_text"]
 
@@ -25,7 +26,7 @@ def modes_text(modes: Sequence[Mode], locked: Sequence[str], free: Sequence[str]
     for number, mode in enumerate(modes, start=1):
         rigid = mode.frequency_hz == 0
         frequency = "rigid body" if rigid else f"{mode.frequency_hz:.5g} Hz"
-        damping = "" if rigid else f"{100 * mode.damping_ratio:.3g} %"
+        damping = "" if rigid else percent(mode.damping_ratio)
         largest = sorted(mode.shape.items(), key=lambda item: -abs(item[1]))[:_SHOWN]
         moves = ", ".join(f"{name} {amplitude:+.2f}" for name, amplitude in largest if abs(amplitude) >= 0.05)
         table.add_row(str(number), frequency, damping, Text(moves))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ptgen.units import from_si
 
-__all__ = ["readable", "shown_unit"]
+__all__ = ["percent", "readable", "shown_unit"]
 
 # SI unit -> (least size for it, unit shown), the largest first.
 _SCALES: dict[str, tuple[tuple[float, str], ...]] = {
@@ -48,3 +48,14 @@ def readable(value: float, unit: str, digits: int = 5) -> str:
     shown = shown_unit(value, unit) if value else {"rad/s": "rpm"}.get(unit, unit)
     number = value if shown == unit else from_si(value, unit, shown)
     return f"{number:.{digits}g} {shown}".strip()
+
+
+def percent(share: float) -> str:
+    """Return a share in percent; what is too small to matter is zero.
+
+    Examples
+    --------
+    >>> percent(0.0173645), percent(1.267), percent(-1e-16)
+    ('1.74 %', '127 %', '0 %')
+    """
+    return f"{100 * share if abs(share) > 1e-7 else 0:.3g} %"

@@ -178,7 +178,9 @@ def _legend(axes: Axes, panel: Panel) -> None:
     styles = {curve.style for curve in panel.curves}
     if "reference" in styles:
         handles.append(Line2D([], [], color=REFERENCE, lw=0.9, ls=(0, (4, 2)), label="reference"))
-    if "limit" in styles:
+    low, high = axes.get_ylim()
+    limits = [line for line in axes.lines if line.get_linestyle() == ":"]
+    if any(((line.get_ydata() > low) & (line.get_ydata() < high)).any() for line in limits):
         handles.append(Line2D([], [], color=GREY, lw=1.0, ls=":", label="limit"))
     axes.legend(
         handles=handles, loc="upper left", bbox_to_anchor=(1.005, 1.0), fontsize=8, frameon=False, borderaxespad=0.0

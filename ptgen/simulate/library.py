@@ -14,9 +14,9 @@ from ptgen.block.block import Block, Signal
 from ptgen.emit.c_block import even
 from ptgen.emit.c_expressions import Precision
 
-__all__ = ["CompiledBlock", "Library", "PROFILE_FIELDS"]
+__all__ = ["PROFILE_FIELDS", "CompiledBlock", "Library"]
 
-PROFILE_FIELDS = [
+PROFILE_FIELDS: list[tuple[str, Any]] = [
     ("count", ctypes.c_long),
     ("steps", ctypes.c_int),
     ("time", ctypes.POINTER(ctypes.c_double)),

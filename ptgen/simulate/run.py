@@ -74,7 +74,7 @@ def simulate(
         raise KeyboardInterrupt
     run.check("the run")
     return Recording(
-        time=np.arange(rows) * every * sample_time,
+        time=np.arange(rows, dtype=np.float64) * (every * sample_time),
         signals={signal.name: recording[:, index] for index, signal in enumerate(signals)},
         units={signal.name: signal.unit for signal in signals},
         steps=done,

@@ -34,6 +34,13 @@ def symbols(decoupling: Decoupling) -> dict[str, sp.Symbol]:
     return found | {symbol.name: symbol for symbol in decoupling.damping}
 
 
+def expanded(decoupling: Decoupling, expression: sp.Expr | sp.Matrix) -> sp.Expr | sp.Matrix:
+    """Insert what the short names of a design stand for; later ones are made of earlier ones."""
+    for symbol, definition in reversed(decoupling.definitions.items()):
+        expression = expression.subs(symbol, definition)
+    return expression
+
+
 class ClosedLoop:
     """Plant and sensors of the reduced bed in numbers, with ``u = P v + R y`` around them.
 

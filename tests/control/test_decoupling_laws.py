@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 import sympy as sp
-from control_laws import assert_decoupled, design, is_zero, symbols
+from control_laws import assert_decoupled, design, expanded, is_zero, symbols
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from mechanism.bed_text import DIFFERENTIALS, Bed, differential_bed, two_machines
@@ -97,7 +97,17 @@ def test_laws_are_blind_to_the_twist(projects: dict[str, Project]) -> None:
 
 def test_natural_stiffness_is_5_10(projects: dict[str, Project]) -> None:
     decoupling = projects["differential_gearboxes"].design.decoupling
-    assert is_zero(decoupling.stiffness[0] - decoupling.model.stiffness[0, 0])
+    p = symbols(decoupling)
+    i = p["diff_ratio"] * p["gearbox1_ratio"] / p["gearbox2_ratio"]
+    c1, c2 = p["cardan1_stiffness"] / p["gearbox1_ratio"] ** 2, p["cardan2_stiffness"] / p["gearbox2_ratio"] ** 2
+    printed = 2 * c1 * c2 / (i**2 * c1 + 2 * c2)
+    assert is_zero((expanded(decoupling, decoupling.stiffness[0]) - printed).subs(same_sides(p)))
+
+
+def test_short_names_have_the_value_of_what_they_stand_for(project: Project) -> None:
+    decoupling = project.design.decoupling
+    for symbol, definition in decoupling.definitions.items():
+        assert decoupling.values[symbol] == pytest.approx(float(definition.subs(decoupling.values)), rel=1e-12)
 
 
 def test_closed_loop_is_diagonal_symbolically(projects: dict[str, Project]) -> None:
@@ -116,19 +126,19 @@ def test_closed_loop_is_diagonal_symbolically(projects: dict[str, Project]) -> N
     printed = sp.diag(torque, 1 / (p["M2_inertia"] * s), 1 / (p["M3_inertia"] * s))
     assert is_zero(G - printed)
     closed_F = (system.F + system.B * of_T).applyfunc(sp.cancel)
-    direct = decoupling.model.signals["diff.input"].f[0]  # unequal shafts: slip torque inside the input torque
+    # Unequal output shafts put a share of the slip torque into the input torque; the loop settles against it.
+    direct = decoupling.model.signals["diff.input"].f[0]
     disturbed = rows * (s * sp.eye(system.order) - A).LUsolve(closed_F)
-    assert is_zero(disturbed + sp.Matrix([direct * torque, 0, 0])), "settled, no output contains the slip torque"
+    assert is_zero(expanded(decoupling, disturbed + sp.Matrix([direct * torque, 0, 0])))
     equal = {p["cardan3_stiffness"]: p["cardan2_stiffness"], p["flange3_stiffness"]: p["flange2_stiffness"]}
-    definitions = projects["differential"].reduced.definitions
-    assert is_zero(direct.subs(definitions).subs(equal))
+    assert is_zero(expanded(decoupling, sp.Matrix([direct])).subs(equal))
 
 
 def test_shipped_beds_are_decoupled(project: Project) -> None:
     assert_decoupled(project.design.decoupling)
 
 
-@settings(max_examples=3)
+@settings(max_examples=2)
 @given(
     kind=st.sampled_from(list(DIFFERENTIALS)),
     shafts=st.tuples(*[st.floats(1e3, 1e6)] * 3),

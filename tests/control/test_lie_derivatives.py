@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 import sympy as sp
-from control_laws import design, is_zero, symbols
+from control_laws import design, expanded, is_zero, symbols
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from mechanism.bed_text import Bed, differential_bed, two_machines
@@ -83,7 +83,7 @@ def test_decoupling_matrix_is_5_48() -> None:
     decoupling = design(transmission())
     p = symbols(decoupling)
     c, i, I1, I2 = p["shaft1_stiffness"], p["gear_ratio"], p["M1_inertia_estimate"], p["M2_inertia"]
-    assert is_zero(decoupling.matrix - sp.Matrix([[c / I1, -i * c / I2], [0, 1 / I2]]))
+    assert is_zero(expanded(decoupling, decoupling.matrix) - sp.Matrix([[c / I1, -i * c / I2], [0, 1 / I2]]))
     assert (decoupling.relative_degrees, decoupling.internal_order) == ((2, 1), 0)
 
 
@@ -114,7 +114,7 @@ def test_decoupling_matrix_is_5_69(projects: dict[str, Project]) -> None:
     I1, I2, I3 = p["M1_inertia_estimate"], *(p[f"M{n}_inertia"] + p[f"gearbox{n}_inertia"] for n in (2, 3))
     printed = sp.Matrix([[k / I1, -k * i / (2 * I2), -k * i / (2 * I3)], [0, 1 / I2, 0], [0, 0, 1 / I3]])
     same = {p["cardan3_stiffness"]: p["cardan2_stiffness"], p["gearbox3_ratio"]: p["gearbox2_ratio"]}
-    assert is_zero((decoupling.matrix - printed).subs(same))
+    assert is_zero((expanded(decoupling, decoupling.matrix) - printed).subs(same))
 
 
 @pytest.mark.parametrize("kind", ["differential", "bevel_differential", "epicyclic_differential"])

@@ -28,6 +28,7 @@ ORDER = (
     "emit",
     "simulate",
     "report",
+    "api",
     "cli",
     "__main__",
 )

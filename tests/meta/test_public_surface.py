@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ast
 import doctest
 import importlib
 import inspect
@@ -88,11 +87,3 @@ def test_there_are_doctests() -> None:
     finder = doctest.DocTestFinder(exclude_empty=True)
     examples = sum(len(test.examples) for name in MODULES for test in finder.find(importlib.import_module(name)))
     assert examples > 10
-
-
-@pytest.mark.parametrize("file", sorted(PACKAGE.rglob("*.py")), ids=dotted)
-def test_files_stay_readable(file: Path) -> None:
-    """Fewer than 450 lines, and input checks that do not vanish with ``python -O``."""
-    text = file.read_text(encoding="utf-8")
-    assert len(text.splitlines()) < 450
-    assert not [node.lineno for node in ast.walk(ast.parse(text)) if isinstance(node, ast.Assert)]

@@ -82,6 +82,7 @@ def test_there_and_back(value: float, pair: tuple[str, str]) -> None:
 def test_any_text_is_read_or_refused(text: str) -> None:
     """Nothing but `QuantityError` ever comes out, and what is read is finite."""
     try:
-        assert math.isfinite(parse(text, "N m"))
-    except QuantityError as error:
-        assert str(error)
+        value = parse(text, "N m")
+    except QuantityError:
+        return
+    assert math.isfinite(value)

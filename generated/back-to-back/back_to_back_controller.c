@@ -1,0 +1,227 @@
+/*
+ * back_to_back_controller.c: controller of the bed back_to_back
+ *
+ * Emitted by ptgen 0.1.0 from back-to-back.toml (SHA-256 376363ff9555c6b9), template block.c.jinja.
+ * Do not edit: change the test bed file and emit again. This code belongs to whoever emitted it.
+ */
+#include "back_to_back_controller.h"
+
+#include <float.h>
+#include <string.h>
+
+const back_to_back_controller_params back_to_back_controller_defaults = {
+    .sample_time = 0.0001,
+    .fault_ramp = 0.05,
+    .flange1_torque_ref_plausible = 15200.0,
+    .M2_speed_ref_plausible = 785.3981633974485,
+    .M1_speed_plausible = 785.3981633974485,
+    .flange1_torque_plausible = 15200.0,
+    .flange2_torque_plausible = 15200.0,
+    .M2_speed_plausible = 785.3981633974485,
+    .load_compensation = 1.0,
+    .acceleration_torque = 1.0,
+    .M1_speed_rated = 188.495559215388,
+    .M1_torque_max = 3050.0,
+    .M2_speed_rated = 188.495559215388,
+    .M2_torque_max = 3050.0,
+    .M2_speed_gain = 150.0,
+    .M2_speed_integral_gain = 1125.0,
+    .M1_sensor_inertia_M2 = -3.42987357266e-12,
+    .M2_inertia = 5.0,
+    .M1_damping = 754.701890861146,
+    .M1_inertia_estimate = 4.999999999980694,
+    .M1_feedforward = 1.0,
+    .M1_torque_gain = 0.0,
+    .M1_torque_integral_gain = 15.0,
+    .M1_damping_reserve = 0.1,
+    .M1_torque_integral_limit = 1520.0,
+};
+
+const back_to_back_controller_params back_to_back_controller_conventional = {
+    .sample_time = 0.0001,
+    .fault_ramp = 0.05,
+    .flange1_torque_ref_plausible = 15200.0,
+    .M2_speed_ref_plausible = 785.3981633974485,
+    .M1_speed_plausible = 785.3981633974485,
+    .flange1_torque_plausible = 15200.0,
+    .flange2_torque_plausible = 15200.0,
+    .M2_speed_plausible = 785.3981633974485,
+    .load_compensation = 0.0,
+    .acceleration_torque = 0.0,
+    .M1_speed_rated = 188.495559215388,
+    .M1_torque_max = 3050.0,
+    .M2_speed_rated = 188.495559215388,
+    .M2_torque_max = 3050.0,
+    .M2_speed_gain = 150.0,
+    .M2_speed_integral_gain = 1125.0,
+    .M1_sensor_inertia_M2 = -3.42987357266e-12,
+    .M2_inertia = 5.0,
+    .M1_damping = 0.0,
+    .M1_inertia_estimate = 4.999999999980694,
+    .M1_feedforward = 1.0,
+    .M1_torque_gain = 0.0,
+    .M1_torque_integral_gain = 1.4422204537040721,
+    .M1_damping_reserve = 0.1,
+    .M1_torque_integral_limit = 1520.0,
+};
+
+/* Range of each parameter; `open` excludes the lower bound. The order is that of the status codes. */
+static const struct {
+    const char *text;
+    size_t offset;
+    back_to_back_real least;
+    back_to_back_real most;
+    int open;
+    int not_zero;
+} limits[] = {
+    { "the parameter sample_time is outside its range", offsetof(back_to_back_controller_params, sample_time), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter fault_ramp is outside its range", offsetof(back_to_back_controller_params, fault_ramp), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter flange1_torque_ref_plausible is outside its range", offsetof(back_to_back_controller_params, flange1_torque_ref_plausible), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_speed_ref_plausible is outside its range", offsetof(back_to_back_controller_params, M2_speed_ref_plausible), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_speed_plausible is outside its range", offsetof(back_to_back_controller_params, M1_speed_plausible), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter flange1_torque_plausible is outside its range", offsetof(back_to_back_controller_params, flange1_torque_plausible), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter flange2_torque_plausible is outside its range", offsetof(back_to_back_controller_params, flange2_torque_plausible), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_speed_plausible is outside its range", offsetof(back_to_back_controller_params, M2_speed_plausible), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter load_compensation is outside its range", offsetof(back_to_back_controller_params, load_compensation), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter acceleration_torque is outside its range", offsetof(back_to_back_controller_params, acceleration_torque), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter M1_speed_rated is outside its range", offsetof(back_to_back_controller_params, M1_speed_rated), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_torque_max is outside its range", offsetof(back_to_back_controller_params, M1_torque_max), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_speed_rated is outside its range", offsetof(back_to_back_controller_params, M2_speed_rated), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_torque_max is outside its range", offsetof(back_to_back_controller_params, M2_torque_max), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_speed_gain is outside its range", offsetof(back_to_back_controller_params, M2_speed_gain), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_speed_integral_gain is outside its range", offsetof(back_to_back_controller_params, M2_speed_integral_gain), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter M1_sensor_inertia_M2 is outside its range", offsetof(back_to_back_controller_params, M1_sensor_inertia_M2), -DBL_MAX, DBL_MAX, 0, 0 },
+    { "the parameter M2_inertia is outside its range", offsetof(back_to_back_controller_params, M2_inertia), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_damping is outside its range", offsetof(back_to_back_controller_params, M1_damping), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter M1_inertia_estimate is outside its range", offsetof(back_to_back_controller_params, M1_inertia_estimate), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_feedforward is outside its range", offsetof(back_to_back_controller_params, M1_feedforward), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter M1_torque_gain is outside its range", offsetof(back_to_back_controller_params, M1_torque_gain), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter M1_torque_integral_gain is outside its range", offsetof(back_to_back_controller_params, M1_torque_integral_gain), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter M1_damping_reserve is outside its range", offsetof(back_to_back_controller_params, M1_damping_reserve), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter M1_torque_integral_limit is outside its range", offsetof(back_to_back_controller_params, M1_torque_integral_limit), 0.0, DBL_MAX, 0, 0 },
+};
+
+enum { limit_count = sizeof limits / sizeof limits[0] };
+
+const char *back_to_back_controller_status_text(back_to_back_controller_status status)
+{
+    switch ((int)status) {
+    case back_to_back_controller_ok:
+        return "ok";
+    case back_to_back_controller_fault_flange1_torque_ref:
+        return "fault: flange1_torque_ref was not finite or not plausible";
+    case back_to_back_controller_fault_M2_speed_ref:
+        return "fault: M2_speed_ref was not finite or not plausible";
+    case back_to_back_controller_fault_M1_speed:
+        return "fault: M1_speed was not finite or not plausible";
+    case back_to_back_controller_fault_flange1_torque:
+        return "fault: flange1_torque was not finite or not plausible";
+    case back_to_back_controller_fault_flange2_torque:
+        return "fault: flange2_torque was not finite or not plausible";
+    case back_to_back_controller_fault_M2_speed:
+        return "fault: M2_speed was not finite or not plausible";
+    case back_to_back_controller_bad_input:
+        return "an input is not finite";
+    default:
+        break;
+    }
+    const int limit = (int)status - 2000;
+    return limit >= 0 && limit < limit_count ? limits[limit].text : "unknown status";
+}
+
+back_to_back_controller_status back_to_back_controller_init(back_to_back_controller_state *s, const back_to_back_controller_params *p)
+{
+    memset(s, 0, sizeof *s);
+    s->authority = 1.0;
+    return back_to_back_controller_update(s, p);
+}
+
+back_to_back_controller_status back_to_back_controller_update(back_to_back_controller_state *s, const back_to_back_controller_params *p)
+{
+    for (int k = 0; k < limit_count; ++k) {
+        const back_to_back_real value = *(const back_to_back_real *)(const void *)((const char *)p + limits[k].offset);
+        const int above = limits[k].open ? value > limits[k].least : value >= limits[k].least; /* false for NaN */
+        if (!(above && value <= limits[k].most) || (limits[k].not_zero && value == 0.0)) {
+            return (back_to_back_controller_status)(2000 + k);
+        }
+    }
+    (void)s;
+    return back_to_back_controller_ok;
+}
+
+back_to_back_controller_status back_to_back_controller_step(back_to_back_controller_state *s, const back_to_back_controller_params *p,
+    const back_to_back_controller_inputs *in, back_to_back_controller_outputs *out)
+{
+    /* supervision */
+    back_to_back_real flange1_torque_ref_sound;
+    back_to_back_guard(in->flange1_torque_ref, p->flange1_torque_ref_plausible, s->flange1_torque_ref_held,
+        &s->flange1_torque_ref_held, &flange1_torque_ref_sound);
+    back_to_back_real M2_speed_ref_sound;
+    back_to_back_guard(in->M2_speed_ref, p->M2_speed_ref_plausible, s->M2_speed_ref_held, &s->M2_speed_ref_held,
+        &M2_speed_ref_sound);
+    back_to_back_real M1_speed_sound;
+    back_to_back_guard(in->M1_speed, p->M1_speed_plausible, s->M1_speed_held, &s->M1_speed_held, &M1_speed_sound);
+    back_to_back_real flange1_torque_sound;
+    back_to_back_guard(in->flange1_torque, p->flange1_torque_plausible, s->flange1_torque_held,
+        &s->flange1_torque_held, &flange1_torque_sound);
+    back_to_back_real flange2_torque_sound;
+    back_to_back_guard(in->flange2_torque, p->flange2_torque_plausible, s->flange2_torque_held,
+        &s->flange2_torque_held, &flange2_torque_sound);
+    back_to_back_real M2_speed_sound;
+    back_to_back_guard(in->M2_speed, p->M2_speed_plausible, s->M2_speed_held, &s->M2_speed_held, &M2_speed_sound);
+    /* the first fault is latched */
+    s->fault = ((s->fault < 0.5 && flange1_torque_ref_sound < 0.5) ? 1.0 : s->fault);
+    s->fault = ((M2_speed_ref_sound < 0.5 && s->fault < 0.5) ? 2.0 : s->fault);
+    s->fault = ((M1_speed_sound < 0.5 && s->fault < 0.5) ? 3.0 : s->fault);
+    s->fault = ((s->fault < 0.5 && flange1_torque_sound < 0.5) ? 4.0 : s->fault);
+    s->fault = ((s->fault < 0.5 && flange2_torque_sound < 0.5) ? 5.0 : s->fault);
+    s->fault = ((M2_speed_sound < 0.5 && s->fault < 0.5) ? 6.0 : s->fault);
+    /* torque-speed envelope, Figure 7.1 */
+    const back_to_back_real M1_available = p->M1_speed_rated*p->M1_torque_max/back_to_back_max(p->M1_speed_rated,
+        back_to_back_abs(s->M1_speed_held));
+    const back_to_back_real M2_available = p->M2_speed_rated*p->M2_torque_max/back_to_back_max(p->M2_speed_rated,
+        back_to_back_abs(s->M2_speed_held));
+    const back_to_back_real M2_speed_error = -s->M2_speed_held + s->M2_speed_ref_held;
+    /* PI speed control (5.84) */
+    const back_to_back_real M2_asked = M2_speed_error*p->M2_speed_gain + s->M2_speed_integral;
+    /* load torque compensation (5.52), (5.74) */
+    const back_to_back_real M2_compensation = -s->flange2_torque_held*p->load_compensation;
+    /* torque-speed envelope */
+    const back_to_back_real M2_command = back_to_back_max(-M2_available, back_to_back_min(M2_available, M2_asked +
+        M2_compensation));
+    /* what the limit leaves of it */
+    const back_to_back_real M2_virtual = M2_command - M2_compensation;
+    /* conditioning anti-windup */
+    s->M2_speed_integral = s->M2_speed_integral + p->M2_speed_integral_gain*p->sample_time*(M2_speed_error +
+        (-M2_asked + M2_virtual)/p->M2_speed_gain);
+    /* testing torque from the sensors (5.95), (5.98) */
+    const back_to_back_real flange1_torque_estimate =
+        p->M1_sensor_inertia_M2*M2_virtual*p->load_compensation/p->M2_inertia + s->flange1_torque_held;
+    const back_to_back_real M1_torque_error = -flange1_torque_estimate + s->flange1_torque_ref_held;
+    /* torque control (5.99) */
+    const back_to_back_real M1_virtual = p->M1_feedforward*s->flange1_torque_ref_held +
+        M1_torque_error*p->M1_torque_gain + s->M1_torque_integral;
+    /* with the acceleration torque (5.62), (5.78) */
+    const back_to_back_real M1_wanted = p->M1_inertia_estimate*M2_virtual*p->acceleration_torque/p->M2_inertia +
+        M1_virtual;
+    /* reserve for active damping */
+    const back_to_back_real M1_kept = back_to_back_max(-M1_available*(1.0 - p->M1_damping_reserve),
+        back_to_back_min(M1_wanted, M1_available*(1.0 - p->M1_damping_reserve)));
+    /* active damping (5.62), (5.78) */
+    const back_to_back_real M1_damping_torque = -p->M1_damping*s->M1_speed_held + p->M1_damping*s->M2_speed_held;
+    /* torque-speed envelope */
+    const back_to_back_real M1_command = back_to_back_max(-M1_available, back_to_back_min(M1_available,
+        M1_damping_torque + M1_kept));
+    /* limited integrator */
+    s->M1_torque_integral = ((M1_torque_error*(-M1_kept + M1_wanted) > 0.0) ? s->M1_torque_integral :
+        back_to_back_max(-p->M1_torque_integral_limit, back_to_back_min(p->M1_torque_integral_limit,
+        M1_torque_error*p->M1_torque_integral_gain*p->sample_time + s->M1_torque_integral)));
+    /* ramp to zero torque */
+    s->authority = ((s->fault > 0.5) ? back_to_back_max(0.0, s->authority - p->sample_time/p->fault_ramp) :
+        s->authority);
+    s->M1_last = ((s->fault > 0.5) ? s->M1_last : M1_command);
+    out->M1_torque_ref = s->M1_last*s->authority;
+    s->M2_last = ((s->fault > 0.5) ? s->M2_last : M2_command);
+    out->M2_torque_ref = s->M2_last*s->authority;
+    return (back_to_back_controller_status)s->fault;
+}

@@ -1,0 +1,125 @@
+/*
+ * back_to_back_controller.h: controller of the bed back_to_back
+ *
+ * Emitted by ptgen 0.1.0 from back-to-back.toml (SHA-256 376363ff9555c6b9), template block.h.jinja.
+ * Do not edit: change the test bed file and emit again. This code belongs to whoever emitted it.
+ */
+#ifndef BACK_TO_BACK_CONTROLLER_H
+#define BACK_TO_BACK_CONTROLLER_H
+
+#include "back_to_back_support.h"
+
+/* Parameters, in SI units; call back_to_back_controller_update after a change. */
+typedef struct {
+    back_to_back_real sample_time; /* step of the controller (s) */
+    back_to_back_real fault_ramp; /* time in which the torque goes to zero after a fault (s) */
+    back_to_back_real flange1_torque_ref_plausible; /* largest plausible flange1_torque_ref (N m) */
+    back_to_back_real M2_speed_ref_plausible; /* largest plausible M2_speed_ref (rad/s) */
+    back_to_back_real M1_speed_plausible; /* largest plausible M1_speed (rad/s) */
+    back_to_back_real flange1_torque_plausible; /* largest plausible flange1_torque (N m) */
+    back_to_back_real flange2_torque_plausible; /* largest plausible flange2_torque (N m) */
+    back_to_back_real M2_speed_plausible; /* largest plausible M2_speed (rad/s) */
+    back_to_back_real load_compensation; /* switch of the load torque compensation, 0 to 1 */
+    back_to_back_real acceleration_torque; /* switch of the acceleration torque, 0 to 1 */
+    back_to_back_real M1_speed_rated; /* speed up to which the largest torque is available (rad/s) */
+    back_to_back_real M1_torque_max; /* largest air-gap torque up to the rated speed (N m) */
+    back_to_back_real M2_speed_rated; /* speed up to which the largest torque is available (rad/s) */
+    back_to_back_real M2_torque_max; /* largest air-gap torque up to the rated speed (N m) */
+    back_to_back_real M2_speed_gain; /* proportional gain of the speed of M2 (N m s/rad) */
+    back_to_back_real M2_speed_integral_gain; /* integral gain of the speed of M2 (N m/rad) */
+    back_to_back_real M1_sensor_inertia_M2; /* torque of M1 that its sensors miss, per acceleration of M2 (kg m^2) */
+    back_to_back_real M2_inertia; /* moment of inertia of the rotor (kg m^2) */
+    back_to_back_real M1_damping; /* active damping by M1 (5.81) (N m s/rad) */
+    back_to_back_real M1_inertia_estimate; /* inertia that M1 accelerates (5.78) (kg m^2) */
+    back_to_back_real M1_feedforward; /* share of the torque reference fed forward to M1 */
+    back_to_back_real M1_torque_gain; /* proportional gain of the torque control of M1 */
+    back_to_back_real M1_torque_integral_gain; /* integral gain of the torque control of M1 (1/s) */
+    back_to_back_real M1_damping_reserve; /* share of the torque of M1 kept for damping */
+    back_to_back_real M1_torque_integral_limit; /* limit of the torque integrator of M1 (N m) */
+} back_to_back_controller_params;
+
+/* Inputs of a step. */
+typedef struct {
+    back_to_back_real flange1_torque_ref; /* reference (N m) */
+    back_to_back_real M2_speed_ref; /* reference (rad/s) */
+    back_to_back_real M1_speed; /* measured (rad/s) */
+    back_to_back_real flange1_torque; /* measured (N m) */
+    back_to_back_real flange2_torque; /* measured (N m) */
+    back_to_back_real M2_speed; /* measured (rad/s) */
+} back_to_back_controller_inputs;
+
+/* Outputs of a step; torques are positive when they drive the right-hand neighbour. */
+typedef struct {
+    back_to_back_real M1_torque_ref; /* air-gap torque reference of M1 (N m) */
+    back_to_back_real M2_torque_ref; /* air-gap torque reference of M2 (N m) */
+} back_to_back_controller_outputs;
+
+/* States first, then what follows from the parameters. Matrices are stored by columns. */
+typedef struct {
+    back_to_back_real fault; /* 0, or the number of the input that failed */
+    back_to_back_real flange1_torque_ref_held; /* last sound value of flange1_torque_ref (N m) */
+    back_to_back_real M2_speed_ref_held; /* last sound value of M2_speed_ref (rad/s) */
+    back_to_back_real M1_speed_held; /* last sound value of M1_speed (rad/s) */
+    back_to_back_real flange1_torque_held; /* last sound value of flange1_torque (N m) */
+    back_to_back_real flange2_torque_held; /* last sound value of flange2_torque (N m) */
+    back_to_back_real M2_speed_held; /* last sound value of M2_speed (rad/s) */
+    back_to_back_real M2_speed_integral; /* integrator of the speed control of M2 (N m) */
+    back_to_back_real M1_torque_integral; /* integrator of the torque control of M1 (N m) */
+    back_to_back_real authority; /* 1, going to 0 along the ramp after a fault */
+    back_to_back_real M1_last; /* last torque of M1 before a fault (N m) */
+    back_to_back_real M2_last; /* last torque of M2 before a fault (N m) */
+} back_to_back_controller_state;
+
+typedef enum {
+    back_to_back_controller_ok = 0,
+    back_to_back_controller_fault_flange1_torque_ref = 1, /* flange1_torque_ref was not finite or not plausible */
+    back_to_back_controller_fault_M2_speed_ref = 2, /* M2_speed_ref was not finite or not plausible */
+    back_to_back_controller_fault_M1_speed = 3, /* M1_speed was not finite or not plausible */
+    back_to_back_controller_fault_flange1_torque = 4, /* flange1_torque was not finite or not plausible */
+    back_to_back_controller_fault_flange2_torque = 5, /* flange2_torque was not finite or not plausible */
+    back_to_back_controller_fault_M2_speed = 6, /* M2_speed was not finite or not plausible */
+    back_to_back_controller_bad_input = 1100, /* an input is not finite; the state was left as it was */
+    back_to_back_controller_bad_sample_time = 2000, /* outside its range */
+    back_to_back_controller_bad_fault_ramp = 2001, /* outside its range */
+    back_to_back_controller_bad_flange1_torque_ref_plausible = 2002, /* outside its range */
+    back_to_back_controller_bad_M2_speed_ref_plausible = 2003, /* outside its range */
+    back_to_back_controller_bad_M1_speed_plausible = 2004, /* outside its range */
+    back_to_back_controller_bad_flange1_torque_plausible = 2005, /* outside its range */
+    back_to_back_controller_bad_flange2_torque_plausible = 2006, /* outside its range */
+    back_to_back_controller_bad_M2_speed_plausible = 2007, /* outside its range */
+    back_to_back_controller_bad_load_compensation = 2008, /* outside its range */
+    back_to_back_controller_bad_acceleration_torque = 2009, /* outside its range */
+    back_to_back_controller_bad_M1_speed_rated = 2010, /* outside its range */
+    back_to_back_controller_bad_M1_torque_max = 2011, /* outside its range */
+    back_to_back_controller_bad_M2_speed_rated = 2012, /* outside its range */
+    back_to_back_controller_bad_M2_torque_max = 2013, /* outside its range */
+    back_to_back_controller_bad_M2_speed_gain = 2014, /* outside its range */
+    back_to_back_controller_bad_M2_speed_integral_gain = 2015, /* outside its range */
+    back_to_back_controller_bad_M1_sensor_inertia_M2 = 2016, /* outside its range */
+    back_to_back_controller_bad_M2_inertia = 2017, /* outside its range */
+    back_to_back_controller_bad_M1_damping = 2018, /* outside its range */
+    back_to_back_controller_bad_M1_inertia_estimate = 2019, /* outside its range */
+    back_to_back_controller_bad_M1_feedforward = 2020, /* outside its range */
+    back_to_back_controller_bad_M1_torque_gain = 2021, /* outside its range */
+    back_to_back_controller_bad_M1_torque_integral_gain = 2022, /* outside its range */
+    back_to_back_controller_bad_M1_damping_reserve = 2023, /* outside its range */
+    back_to_back_controller_bad_M1_torque_integral_limit = 2024, /* outside its range */
+} back_to_back_controller_status;
+
+extern const back_to_back_controller_params back_to_back_controller_defaults;
+extern const back_to_back_controller_params back_to_back_controller_conventional;
+
+/* Name of a status, for logs. */
+const char *back_to_back_controller_status_text(back_to_back_controller_status status);
+
+/* Sets the initial state and prepares everything that follows from the parameters. */
+back_to_back_controller_status back_to_back_controller_init(back_to_back_controller_state *state, const back_to_back_controller_params *params);
+
+/* Checks the parameters and prepares what follows from them; the rest of the state stays. */
+back_to_back_controller_status back_to_back_controller_update(back_to_back_controller_state *state, const back_to_back_controller_params *params);
+
+/* One step. */
+back_to_back_controller_status back_to_back_controller_step(back_to_back_controller_state *state, const back_to_back_controller_params *params,
+    const back_to_back_controller_inputs *inputs, back_to_back_controller_outputs *outputs);
+
+#endif

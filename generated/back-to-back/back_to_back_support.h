@@ -1,0 +1,123 @@
+/*
+ * back_to_back_support.h: arithmetic and small dense algebra
+ *
+ * Emitted by ptgen 0.1.0 from back-to-back.toml (SHA-256 376363ff9555c6b9), template support.h.jinja.
+ * Do not edit: change the test bed file and emit again. This code belongs to whoever emitted it.
+ */
+#ifndef BACK_TO_BACK_SUPPORT_H
+#define BACK_TO_BACK_SUPPORT_H
+
+#include <stddef.h>
+
+typedef double back_to_back_real;
+
+#define BACK_TO_BACK_REAL(x) ((back_to_back_real)(x))
+
+/* Order up to which back_to_back_discretise works: states, inputs and friction elements together. */
+#define BACK_TO_BACK_MAX_ORDER 11
+
+static inline back_to_back_real back_to_back_min(back_to_back_real a, back_to_back_real b) { return a < b ? a : b; }
+static inline back_to_back_real back_to_back_max(back_to_back_real a, back_to_back_real b) { return a > b ? a : b; }
+static inline back_to_back_real back_to_back_abs(back_to_back_real a) { return a < 0.0 ? -a : a; }
+static inline back_to_back_real back_to_back_sign(back_to_back_real a)
+{
+    return a > 0.0 ? 1.0 : (a < 0.0 ? -1.0 : 0.0);
+}
+/* False for NaN and infinity; needs no library function. */
+static inline int back_to_back_is_finite(back_to_back_real a) { return a - a == 0.0; }
+static inline back_to_back_real back_to_back_clamp(back_to_back_real value, back_to_back_real bound)
+{
+    return back_to_back_max(-bound, back_to_back_min(bound, value));
+}
+
+back_to_back_real back_to_back_floor(back_to_back_real a);
+
+/* Sets an array of `bytes` bytes to zero. */
+void back_to_back_zero(size_t bytes, void *array);
+
+/*
+ * Matrices are stored by columns; the number of rows in memory is rounded up to an even one.
+ * Functions that return an int return 1 on success and 0 on failure.
+ */
+
+/* Solves M X = R for symmetric positive definite M (n, n); M is overwritten by its Cholesky factor. */
+int back_to_back_cholesky_solve(int n, int columns, back_to_back_real *M, const back_to_back_real *R, back_to_back_real *X);
+
+/* Whether the symmetric matrix K (n, n) is positive definite. */
+int back_to_back_require_definite(int n, const back_to_back_real *K);
+
+/* Copies `count` columns of `source` (rows, .), from column `first` on, to (row, column) of `target`. */
+void back_to_back_insert(int rows, int target_stride, int source_stride, int row, int column, int first, int count,
+                         back_to_back_real *target, const back_to_back_real *source);
+
+/* C = A - B, all (rows, columns). */
+void back_to_back_difference(int rows, int columns, const back_to_back_real *A, const back_to_back_real *B, back_to_back_real *C);
+
+/*
+ * First n rows of exp(A t), A (n, total) over zero rows, balanced by `scale` (total): Taylor series of degree
+ * 18 with `squarings` squarings. Fails if the argument is too large for them.
+ */
+int back_to_back_discretise(int n, int total, int squarings, const back_to_back_real *A, const back_to_back_real *scale,
+                            back_to_back_real t, back_to_back_real *E);
+
+/* y = A x for A (n, m); runs over pairs of rows, the padding included. */
+static inline void back_to_back_multiply(int n, int m, const back_to_back_real *restrict A, const back_to_back_real *restrict x,
+                                         back_to_back_real *restrict y)
+{
+    const int rows = n + n % 2;
+    for (int i = 0; i < rows; i += 2) {
+        back_to_back_real sum0 = 0.0;
+        back_to_back_real sum1 = 0.0;
+        for (int j = 0; j < m; ++j) {
+            sum0 += A[j * rows + i] * x[j];
+            sum1 += A[j * rows + i + 1] * x[j];
+        }
+        y[i] = sum0;
+        y[i + 1] = sum1;
+    }
+}
+
+/* y = x + A T for A (n, m). */
+static inline void back_to_back_add_product(int n, int m, back_to_back_real *restrict y, const back_to_back_real *restrict x,
+                                                 const back_to_back_real *restrict A, const back_to_back_real *restrict T)
+{
+    const int rows = n + n % 2;
+    for (int i = 0; i < n; ++i) {
+        back_to_back_real sum = x[i];
+        for (int j = 0; j < m; ++j) {
+            sum += A[j * rows + i] * T[j];
+        }
+        y[i] = sum;
+    }
+}
+
+/* Pushes `value` into a delay line; `late` is the value of `steps` steps ago, `early` the one of a step before. */
+static inline void back_to_back_delay(int capacity, back_to_back_real *line, back_to_back_real value, back_to_back_real steps,
+                                      back_to_back_real *late, back_to_back_real *early)
+{
+    const int depth = (int)steps;
+    *late = depth == 0 ? value : line[depth - 1];
+    *early = line[depth];
+    for (int k = capacity - 1; k > 0; --k) {
+        line[k] = line[k - 1];
+    }
+    line[0] = value;
+}
+
+/* Takes `value` if it is finite and at most `bound` in size, else leaves what was held; `sound` is 1 or 0. */
+static inline void back_to_back_guard(back_to_back_real value, back_to_back_real bound, back_to_back_real before, back_to_back_real *held,
+                                      back_to_back_real *sound)
+{
+    const int good = back_to_back_abs(value) <= bound; /* false for NaN */
+    *held = good ? value : before;
+    *sound = good ? 1.0 : 0.0;
+}
+
+/*
+ * Friction torques of one step: |T_i| <= m_i, w_plus = w - K T, and w_plus_i is positive only where T_i = m_i,
+ * negative only where T_i = -m_i, else exactly zero. Closed forms for one and two elements.
+ */
+void back_to_back_solve_box(int n, const back_to_back_real *K, const back_to_back_real *w, const back_to_back_real *m,
+                            back_to_back_real *T, back_to_back_real *w_plus);
+
+#endif

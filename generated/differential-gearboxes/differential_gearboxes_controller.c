@@ -1,0 +1,313 @@
+/*
+ * differential_gearboxes_controller.c: controller of the bed differential_gearboxes
+ *
+ * Emitted by ptgen 0.1.0 from differential-gearboxes.toml (SHA-256 08abf4d695c2194f), template block.c.jinja.
+ * Do not edit: change the test bed file and emit again. This code belongs to whoever emitted it.
+ */
+#include "differential_gearboxes_controller.h"
+
+#include <float.h>
+#include <string.h>
+
+const differential_gearboxes_controller_params differential_gearboxes_controller_defaults = {
+    .sample_time = 0.0001,
+    .fault_ramp = 0.05,
+    .diff_outputs_torque_ref_plausible = 427000.0,
+    .M2_speed_ref_plausible = 942.4777960769385,
+    .M3_speed_ref_plausible = 942.4777960769385,
+    .M1_speed_plausible = 942.4777960769385,
+    .flange2_torque_plausible = 20500.0,
+    .M2_speed_plausible = 942.4777960769385,
+    .flange3_torque_plausible = 20500.0,
+    .M3_speed_plausible = 942.4777960769385,
+    .load_compensation = 1.0,
+    .acceleration_torque = 1.0,
+    .M1_speed_rated = 188.495559215388,
+    .M1_torque_max = 3700.0,
+    .M2_speed_rated = 188.495559215388,
+    .M2_torque_max = 3700.0,
+    .M3_speed_rated = 188.495559215388,
+    .M3_torque_max = 3700.0,
+    .M2_speed_gain = 61.800000000000004,
+    .M2_speed_integral_gain = 92.7,
+    .M3_speed_gain = 61.800000000000004,
+    .M3_speed_integral_gain = 92.7,
+    .gearbox2_ratio = 10.4,
+    .gearbox3_ratio = 10.4,
+    .M2_inertia = 10.3,
+    .gearbox2_inertia = 1.65,
+    .M3_inertia = 10.3,
+    .gearbox3_inertia = 1.65,
+    .M1_sensor_inertia_M2 = 0.332800000869,
+    .M1_sensor_inertia_M3 = 0.301600000281,
+    .diff_ratio = 2.85,
+    .gearbox1_ratio = 8.1,
+    .M1_damping = 74.82258931048855,
+    .M1_inertia_estimate = 4.336572473593345,
+    .M1_feedforward = 1.0,
+    .M1_torque_gain = 0.0,
+    .M1_torque_integral_gain = 2.0,
+    .M1_damping_reserve = 0.1,
+    .M1_torque_integral_limit = 42700.0,
+};
+
+const differential_gearboxes_controller_params differential_gearboxes_controller_conventional = {
+    .sample_time = 0.0001,
+    .fault_ramp = 0.05,
+    .diff_outputs_torque_ref_plausible = 427000.0,
+    .M2_speed_ref_plausible = 942.4777960769385,
+    .M3_speed_ref_plausible = 942.4777960769385,
+    .M1_speed_plausible = 942.4777960769385,
+    .flange2_torque_plausible = 20500.0,
+    .M2_speed_plausible = 942.4777960769385,
+    .flange3_torque_plausible = 20500.0,
+    .M3_speed_plausible = 942.4777960769385,
+    .load_compensation = 0.0,
+    .acceleration_torque = 0.0,
+    .M1_speed_rated = 188.495559215388,
+    .M1_torque_max = 3700.0,
+    .M2_speed_rated = 188.495559215388,
+    .M2_torque_max = 3700.0,
+    .M3_speed_rated = 188.495559215388,
+    .M3_torque_max = 3700.0,
+    .M2_speed_gain = 61.800000000000004,
+    .M2_speed_integral_gain = 92.7,
+    .M3_speed_gain = 61.800000000000004,
+    .M3_speed_integral_gain = 92.7,
+    .gearbox2_ratio = 10.4,
+    .gearbox3_ratio = 10.4,
+    .M2_inertia = 10.3,
+    .gearbox2_inertia = 1.65,
+    .M3_inertia = 10.3,
+    .gearbox3_inertia = 1.65,
+    .M1_sensor_inertia_M2 = 0.332800000869,
+    .M1_sensor_inertia_M3 = 0.301600000281,
+    .diff_ratio = 2.85,
+    .gearbox1_ratio = 8.1,
+    .M1_damping = 0.0,
+    .M1_inertia_estimate = 4.336572473593345,
+    .M1_feedforward = 1.0,
+    .M1_torque_gain = 0.0,
+    .M1_torque_integral_gain = 0.3158244590880249,
+    .M1_damping_reserve = 0.1,
+    .M1_torque_integral_limit = 42700.0,
+};
+
+/* Range of each parameter; `open` excludes the lower bound. The order is that of the status codes. */
+static const struct {
+    const char *text;
+    size_t offset;
+    differential_gearboxes_real least;
+    differential_gearboxes_real most;
+    int open;
+    int not_zero;
+} limits[] = {
+    { "the parameter sample_time is outside its range", offsetof(differential_gearboxes_controller_params, sample_time), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter fault_ramp is outside its range", offsetof(differential_gearboxes_controller_params, fault_ramp), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter diff_outputs_torque_ref_plausible is outside its range", offsetof(differential_gearboxes_controller_params, diff_outputs_torque_ref_plausible), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_speed_ref_plausible is outside its range", offsetof(differential_gearboxes_controller_params, M2_speed_ref_plausible), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M3_speed_ref_plausible is outside its range", offsetof(differential_gearboxes_controller_params, M3_speed_ref_plausible), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_speed_plausible is outside its range", offsetof(differential_gearboxes_controller_params, M1_speed_plausible), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter flange2_torque_plausible is outside its range", offsetof(differential_gearboxes_controller_params, flange2_torque_plausible), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_speed_plausible is outside its range", offsetof(differential_gearboxes_controller_params, M2_speed_plausible), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter flange3_torque_plausible is outside its range", offsetof(differential_gearboxes_controller_params, flange3_torque_plausible), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M3_speed_plausible is outside its range", offsetof(differential_gearboxes_controller_params, M3_speed_plausible), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter load_compensation is outside its range", offsetof(differential_gearboxes_controller_params, load_compensation), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter acceleration_torque is outside its range", offsetof(differential_gearboxes_controller_params, acceleration_torque), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter M1_speed_rated is outside its range", offsetof(differential_gearboxes_controller_params, M1_speed_rated), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_torque_max is outside its range", offsetof(differential_gearboxes_controller_params, M1_torque_max), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_speed_rated is outside its range", offsetof(differential_gearboxes_controller_params, M2_speed_rated), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_torque_max is outside its range", offsetof(differential_gearboxes_controller_params, M2_torque_max), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M3_speed_rated is outside its range", offsetof(differential_gearboxes_controller_params, M3_speed_rated), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M3_torque_max is outside its range", offsetof(differential_gearboxes_controller_params, M3_torque_max), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_speed_gain is outside its range", offsetof(differential_gearboxes_controller_params, M2_speed_gain), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_speed_integral_gain is outside its range", offsetof(differential_gearboxes_controller_params, M2_speed_integral_gain), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter M3_speed_gain is outside its range", offsetof(differential_gearboxes_controller_params, M3_speed_gain), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M3_speed_integral_gain is outside its range", offsetof(differential_gearboxes_controller_params, M3_speed_integral_gain), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter gearbox2_ratio is outside its range", offsetof(differential_gearboxes_controller_params, gearbox2_ratio), -DBL_MAX, DBL_MAX, 0, 1 },
+    { "the parameter gearbox3_ratio is outside its range", offsetof(differential_gearboxes_controller_params, gearbox3_ratio), -DBL_MAX, DBL_MAX, 0, 1 },
+    { "the parameter M2_inertia is outside its range", offsetof(differential_gearboxes_controller_params, M2_inertia), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter gearbox2_inertia is outside its range", offsetof(differential_gearboxes_controller_params, gearbox2_inertia), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M3_inertia is outside its range", offsetof(differential_gearboxes_controller_params, M3_inertia), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter gearbox3_inertia is outside its range", offsetof(differential_gearboxes_controller_params, gearbox3_inertia), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_sensor_inertia_M2 is outside its range", offsetof(differential_gearboxes_controller_params, M1_sensor_inertia_M2), -DBL_MAX, DBL_MAX, 0, 0 },
+    { "the parameter M1_sensor_inertia_M3 is outside its range", offsetof(differential_gearboxes_controller_params, M1_sensor_inertia_M3), -DBL_MAX, DBL_MAX, 0, 0 },
+    { "the parameter diff_ratio is outside its range", offsetof(differential_gearboxes_controller_params, diff_ratio), -DBL_MAX, DBL_MAX, 0, 1 },
+    { "the parameter gearbox1_ratio is outside its range", offsetof(differential_gearboxes_controller_params, gearbox1_ratio), -DBL_MAX, DBL_MAX, 0, 1 },
+    { "the parameter M1_damping is outside its range", offsetof(differential_gearboxes_controller_params, M1_damping), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter M1_inertia_estimate is outside its range", offsetof(differential_gearboxes_controller_params, M1_inertia_estimate), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_feedforward is outside its range", offsetof(differential_gearboxes_controller_params, M1_feedforward), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter M1_torque_gain is outside its range", offsetof(differential_gearboxes_controller_params, M1_torque_gain), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter M1_torque_integral_gain is outside its range", offsetof(differential_gearboxes_controller_params, M1_torque_integral_gain), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter M1_damping_reserve is outside its range", offsetof(differential_gearboxes_controller_params, M1_damping_reserve), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter M1_torque_integral_limit is outside its range", offsetof(differential_gearboxes_controller_params, M1_torque_integral_limit), 0.0, DBL_MAX, 0, 0 },
+};
+
+enum { limit_count = sizeof limits / sizeof limits[0] };
+
+const char *differential_gearboxes_controller_status_text(differential_gearboxes_controller_status status)
+{
+    switch ((int)status) {
+    case differential_gearboxes_controller_ok:
+        return "ok";
+    case differential_gearboxes_controller_fault_diff_outputs_torque_ref:
+        return "fault: diff_outputs_torque_ref was not finite or not plausible";
+    case differential_gearboxes_controller_fault_M2_speed_ref:
+        return "fault: M2_speed_ref was not finite or not plausible";
+    case differential_gearboxes_controller_fault_M3_speed_ref:
+        return "fault: M3_speed_ref was not finite or not plausible";
+    case differential_gearboxes_controller_fault_M1_speed:
+        return "fault: M1_speed was not finite or not plausible";
+    case differential_gearboxes_controller_fault_flange2_torque:
+        return "fault: flange2_torque was not finite or not plausible";
+    case differential_gearboxes_controller_fault_M2_speed:
+        return "fault: M2_speed was not finite or not plausible";
+    case differential_gearboxes_controller_fault_flange3_torque:
+        return "fault: flange3_torque was not finite or not plausible";
+    case differential_gearboxes_controller_fault_M3_speed:
+        return "fault: M3_speed was not finite or not plausible";
+    case differential_gearboxes_controller_bad_input:
+        return "an input is not finite";
+    default:
+        break;
+    }
+    const int limit = (int)status - 2000;
+    return limit >= 0 && limit < limit_count ? limits[limit].text : "unknown status";
+}
+
+differential_gearboxes_controller_status differential_gearboxes_controller_init(differential_gearboxes_controller_state *s, const differential_gearboxes_controller_params *p)
+{
+    memset(s, 0, sizeof *s);
+    s->authority = 1.0;
+    return differential_gearboxes_controller_update(s, p);
+}
+
+differential_gearboxes_controller_status differential_gearboxes_controller_update(differential_gearboxes_controller_state *s, const differential_gearboxes_controller_params *p)
+{
+    for (int k = 0; k < limit_count; ++k) {
+        const differential_gearboxes_real value = *(const differential_gearboxes_real *)(const void *)((const char *)p + limits[k].offset);
+        const int above = limits[k].open ? value > limits[k].least : value >= limits[k].least; /* false for NaN */
+        if (!(above && value <= limits[k].most) || (limits[k].not_zero && value == 0.0)) {
+            return (differential_gearboxes_controller_status)(2000 + k);
+        }
+    }
+    (void)s;
+    return differential_gearboxes_controller_ok;
+}
+
+differential_gearboxes_controller_status differential_gearboxes_controller_step(differential_gearboxes_controller_state *s, const differential_gearboxes_controller_params *p,
+    const differential_gearboxes_controller_inputs *in, differential_gearboxes_controller_outputs *out)
+{
+    /* supervision */
+    differential_gearboxes_real diff_outputs_torque_ref_sound;
+    differential_gearboxes_guard(in->diff_outputs_torque_ref, p->diff_outputs_torque_ref_plausible,
+        s->diff_outputs_torque_ref_held, &s->diff_outputs_torque_ref_held, &diff_outputs_torque_ref_sound);
+    differential_gearboxes_real M2_speed_ref_sound;
+    differential_gearboxes_guard(in->M2_speed_ref, p->M2_speed_ref_plausible, s->M2_speed_ref_held,
+        &s->M2_speed_ref_held, &M2_speed_ref_sound);
+    differential_gearboxes_real M3_speed_ref_sound;
+    differential_gearboxes_guard(in->M3_speed_ref, p->M3_speed_ref_plausible, s->M3_speed_ref_held,
+        &s->M3_speed_ref_held, &M3_speed_ref_sound);
+    differential_gearboxes_real M1_speed_sound;
+    differential_gearboxes_guard(in->M1_speed, p->M1_speed_plausible, s->M1_speed_held, &s->M1_speed_held,
+        &M1_speed_sound);
+    differential_gearboxes_real flange2_torque_sound;
+    differential_gearboxes_guard(in->flange2_torque, p->flange2_torque_plausible, s->flange2_torque_held,
+        &s->flange2_torque_held, &flange2_torque_sound);
+    differential_gearboxes_real M2_speed_sound;
+    differential_gearboxes_guard(in->M2_speed, p->M2_speed_plausible, s->M2_speed_held, &s->M2_speed_held,
+        &M2_speed_sound);
+    differential_gearboxes_real flange3_torque_sound;
+    differential_gearboxes_guard(in->flange3_torque, p->flange3_torque_plausible, s->flange3_torque_held,
+        &s->flange3_torque_held, &flange3_torque_sound);
+    differential_gearboxes_real M3_speed_sound;
+    differential_gearboxes_guard(in->M3_speed, p->M3_speed_plausible, s->M3_speed_held, &s->M3_speed_held,
+        &M3_speed_sound);
+    /* the first fault is latched */
+    s->fault = ((diff_outputs_torque_ref_sound < 0.5 && s->fault < 0.5) ? 1.0 : s->fault);
+    s->fault = ((M2_speed_ref_sound < 0.5 && s->fault < 0.5) ? 2.0 : s->fault);
+    s->fault = ((M3_speed_ref_sound < 0.5 && s->fault < 0.5) ? 3.0 : s->fault);
+    s->fault = ((M1_speed_sound < 0.5 && s->fault < 0.5) ? 4.0 : s->fault);
+    s->fault = ((s->fault < 0.5 && flange2_torque_sound < 0.5) ? 5.0 : s->fault);
+    s->fault = ((M2_speed_sound < 0.5 && s->fault < 0.5) ? 6.0 : s->fault);
+    s->fault = ((s->fault < 0.5 && flange3_torque_sound < 0.5) ? 7.0 : s->fault);
+    s->fault = ((M3_speed_sound < 0.5 && s->fault < 0.5) ? 8.0 : s->fault);
+    /* torque-speed envelope, Figure 7.1 */
+    const differential_gearboxes_real M1_available =
+        p->M1_speed_rated*p->M1_torque_max/differential_gearboxes_max(p->M1_speed_rated,
+        differential_gearboxes_abs(s->M1_speed_held));
+    const differential_gearboxes_real M2_available =
+        p->M2_speed_rated*p->M2_torque_max/differential_gearboxes_max(p->M2_speed_rated,
+        differential_gearboxes_abs(s->M2_speed_held));
+    const differential_gearboxes_real M3_available =
+        p->M3_speed_rated*p->M3_torque_max/differential_gearboxes_max(p->M3_speed_rated,
+        differential_gearboxes_abs(s->M3_speed_held));
+    const differential_gearboxes_real M2_speed_error = -s->M2_speed_held + s->M2_speed_ref_held;
+    /* PI speed control (5.84) */
+    const differential_gearboxes_real M2_asked = M2_speed_error*p->M2_speed_gain + s->M2_speed_integral;
+    /* load torque compensation (5.52), (5.74) */
+    const differential_gearboxes_real M2_compensation = -s->flange2_torque_held*p->load_compensation;
+    /* torque-speed envelope */
+    const differential_gearboxes_real M2_command = differential_gearboxes_max(-M2_available,
+        differential_gearboxes_min(M2_available, M2_asked + M2_compensation));
+    /* what the limit leaves of it */
+    const differential_gearboxes_real M2_virtual = M2_command - M2_compensation;
+    /* conditioning anti-windup */
+    s->M2_speed_integral = s->M2_speed_integral + p->M2_speed_integral_gain*p->sample_time*(M2_speed_error +
+        (-M2_asked + M2_virtual)/p->M2_speed_gain);
+    const differential_gearboxes_real M3_speed_error = -s->M3_speed_held + s->M3_speed_ref_held;
+    /* PI speed control (5.84) */
+    const differential_gearboxes_real M3_asked = M3_speed_error*p->M3_speed_gain + s->M3_speed_integral;
+    /* load torque compensation (5.52), (5.74) */
+    const differential_gearboxes_real M3_compensation = -s->flange3_torque_held*p->load_compensation;
+    /* torque-speed envelope */
+    const differential_gearboxes_real M3_command = differential_gearboxes_max(-M3_available,
+        differential_gearboxes_min(M3_available, M3_asked + M3_compensation));
+    /* what the limit leaves of it */
+    const differential_gearboxes_real M3_virtual = M3_command - M3_compensation;
+    /* conditioning anti-windup */
+    s->M3_speed_integral = s->M3_speed_integral + p->M3_speed_integral_gain*p->sample_time*(M3_speed_error +
+        (-M3_asked + M3_virtual)/p->M3_speed_gain);
+    /* testing torque from the sensors (5.95), (5.98) */
+    const differential_gearboxes_real diff_outputs_torque_estimate = s->flange2_torque_held*p->gearbox2_ratio +
+        s->flange3_torque_held*p->gearbox3_ratio +
+        p->load_compensation*(p->M1_sensor_inertia_M2*M2_virtual/p->M2_inertia +
+        p->M1_sensor_inertia_M3*M3_virtual/p->M3_inertia) +
+        p->load_compensation*(M3_virtual*p->gearbox3_inertia*p->gearbox3_ratio/p->M3_inertia +
+        M2_virtual*p->gearbox2_inertia*p->gearbox2_ratio/p->M2_inertia);
+    const differential_gearboxes_real M1_torque_error = -diff_outputs_torque_estimate +
+        s->diff_outputs_torque_ref_held;
+    /* torque control (5.99) */
+    const differential_gearboxes_real M1_virtual = p->M1_feedforward*s->diff_outputs_torque_ref_held +
+        M1_torque_error*p->M1_torque_gain + s->M1_torque_integral;
+    /* with the acceleration torque (5.62), (5.78) */
+    const differential_gearboxes_real M1_wanted = M1_virtual/(p->diff_ratio*p->gearbox1_ratio) +
+        p->acceleration_torque*((0.5)*p->M1_inertia_estimate*M3_virtual*p->diff_ratio*p->gearbox1_ratio/(p->M3_inertia*p->gearbox3_ratio)
+        +
+        (0.5)*p->M1_inertia_estimate*M2_virtual*p->diff_ratio*p->gearbox1_ratio/(p->M2_inertia*p->gearbox2_ratio));
+    /* reserve for active damping */
+    const differential_gearboxes_real M1_kept = differential_gearboxes_max(-M1_available*(1.0 -
+        p->M1_damping_reserve), differential_gearboxes_min(M1_wanted, M1_available*(1.0 - p->M1_damping_reserve)));
+    /* active damping (5.62), (5.78) */
+    const differential_gearboxes_real M1_damping_torque = -p->M1_damping*s->M1_speed_held +
+        (0.5)*p->M1_damping*s->M2_speed_held*p->diff_ratio*p->gearbox1_ratio/p->gearbox2_ratio +
+        (0.5)*p->M1_damping*s->M3_speed_held*p->diff_ratio*p->gearbox1_ratio/p->gearbox3_ratio;
+    /* torque-speed envelope */
+    const differential_gearboxes_real M1_command = differential_gearboxes_max(-M1_available,
+        differential_gearboxes_min(M1_available, M1_damping_torque + M1_kept));
+    /* limited integrator */
+    s->M1_torque_integral = ((M1_torque_error*(-M1_kept + M1_wanted)/(p->diff_ratio*p->gearbox1_ratio) > 0.0) ?
+        s->M1_torque_integral : differential_gearboxes_max(-p->M1_torque_integral_limit,
+        differential_gearboxes_min(p->M1_torque_integral_limit,
+        M1_torque_error*p->M1_torque_integral_gain*p->sample_time + s->M1_torque_integral)));
+    /* ramp to zero torque */
+    s->authority = ((s->fault > 0.5) ? differential_gearboxes_max(0.0, s->authority - p->sample_time/p->fault_ramp)
+        : s->authority);
+    s->M1_last = ((s->fault > 0.5) ? s->M1_last : M1_command);
+    out->M1_torque_ref = s->M1_last*s->authority;
+    s->M2_last = ((s->fault > 0.5) ? s->M2_last : M2_command);
+    out->M2_torque_ref = s->M2_last*s->authority;
+    s->M3_last = ((s->fault > 0.5) ? s->M3_last : M3_command);
+    out->M3_torque_ref = s->M3_last*s->authority;
+    return (differential_gearboxes_controller_status)s->fault;
+}

@@ -1,0 +1,123 @@
+/*
+ * differential_gearboxes_support.h: arithmetic and small dense algebra
+ *
+ * Emitted by ptgen 0.1.0 from differential-gearboxes.toml (SHA-256 08abf4d695c2194f), template support.h.jinja.
+ * Do not edit: change the test bed file and emit again. This code belongs to whoever emitted it.
+ */
+#ifndef DIFFERENTIAL_GEARBOXES_SUPPORT_H
+#define DIFFERENTIAL_GEARBOXES_SUPPORT_H
+
+#include <stddef.h>
+
+typedef double differential_gearboxes_real;
+
+#define DIFFERENTIAL_GEARBOXES_REAL(x) ((differential_gearboxes_real)(x))
+
+/* Order up to which differential_gearboxes_discretise works: states, inputs and friction elements together. */
+#define DIFFERENTIAL_GEARBOXES_MAX_ORDER 28
+
+static inline differential_gearboxes_real differential_gearboxes_min(differential_gearboxes_real a, differential_gearboxes_real b) { return a < b ? a : b; }
+static inline differential_gearboxes_real differential_gearboxes_max(differential_gearboxes_real a, differential_gearboxes_real b) { return a > b ? a : b; }
+static inline differential_gearboxes_real differential_gearboxes_abs(differential_gearboxes_real a) { return a < 0.0 ? -a : a; }
+static inline differential_gearboxes_real differential_gearboxes_sign(differential_gearboxes_real a)
+{
+    return a > 0.0 ? 1.0 : (a < 0.0 ? -1.0 : 0.0);
+}
+/* False for NaN and infinity; needs no library function. */
+static inline int differential_gearboxes_is_finite(differential_gearboxes_real a) { return a - a == 0.0; }
+static inline differential_gearboxes_real differential_gearboxes_clamp(differential_gearboxes_real value, differential_gearboxes_real bound)
+{
+    return differential_gearboxes_max(-bound, differential_gearboxes_min(bound, value));
+}
+
+differential_gearboxes_real differential_gearboxes_floor(differential_gearboxes_real a);
+
+/* Sets an array of `bytes` bytes to zero. */
+void differential_gearboxes_zero(size_t bytes, void *array);
+
+/*
+ * Matrices are stored by columns; the number of rows in memory is rounded up to an even one.
+ * Functions that return an int return 1 on success and 0 on failure.
+ */
+
+/* Solves M X = R for symmetric positive definite M (n, n); M is overwritten by its Cholesky factor. */
+int differential_gearboxes_cholesky_solve(int n, int columns, differential_gearboxes_real *M, const differential_gearboxes_real *R, differential_gearboxes_real *X);
+
+/* Whether the symmetric matrix K (n, n) is positive definite. */
+int differential_gearboxes_require_definite(int n, const differential_gearboxes_real *K);
+
+/* Copies `count` columns of `source` (rows, .), from column `first` on, to (row, column) of `target`. */
+void differential_gearboxes_insert(int rows, int target_stride, int source_stride, int row, int column, int first, int count,
+                         differential_gearboxes_real *target, const differential_gearboxes_real *source);
+
+/* C = A - B, all (rows, columns). */
+void differential_gearboxes_difference(int rows, int columns, const differential_gearboxes_real *A, const differential_gearboxes_real *B, differential_gearboxes_real *C);
+
+/*
+ * First n rows of exp(A t), A (n, total) over zero rows, balanced by `scale` (total): Taylor series of degree
+ * 18 with `squarings` squarings. Fails if the argument is too large for them.
+ */
+int differential_gearboxes_discretise(int n, int total, int squarings, const differential_gearboxes_real *A, const differential_gearboxes_real *scale,
+                            differential_gearboxes_real t, differential_gearboxes_real *E);
+
+/* y = A x for A (n, m); runs over pairs of rows, the padding included. */
+static inline void differential_gearboxes_multiply(int n, int m, const differential_gearboxes_real *restrict A, const differential_gearboxes_real *restrict x,
+                                         differential_gearboxes_real *restrict y)
+{
+    const int rows = n + n % 2;
+    for (int i = 0; i < rows; i += 2) {
+        differential_gearboxes_real sum0 = 0.0;
+        differential_gearboxes_real sum1 = 0.0;
+        for (int j = 0; j < m; ++j) {
+            sum0 += A[j * rows + i] * x[j];
+            sum1 += A[j * rows + i + 1] * x[j];
+        }
+        y[i] = sum0;
+        y[i + 1] = sum1;
+    }
+}
+
+/* y = x + A T for A (n, m). */
+static inline void differential_gearboxes_add_product(int n, int m, differential_gearboxes_real *restrict y, const differential_gearboxes_real *restrict x,
+                                                 const differential_gearboxes_real *restrict A, const differential_gearboxes_real *restrict T)
+{
+    const int rows = n + n % 2;
+    for (int i = 0; i < n; ++i) {
+        differential_gearboxes_real sum = x[i];
+        for (int j = 0; j < m; ++j) {
+            sum += A[j * rows + i] * T[j];
+        }
+        y[i] = sum;
+    }
+}
+
+/* Pushes `value` into a delay line; `late` is the value of `steps` steps ago, `early` the one of a step before. */
+static inline void differential_gearboxes_delay(int capacity, differential_gearboxes_real *line, differential_gearboxes_real value, differential_gearboxes_real steps,
+                                      differential_gearboxes_real *late, differential_gearboxes_real *early)
+{
+    const int depth = (int)steps;
+    *late = depth == 0 ? value : line[depth - 1];
+    *early = line[depth];
+    for (int k = capacity - 1; k > 0; --k) {
+        line[k] = line[k - 1];
+    }
+    line[0] = value;
+}
+
+/* Takes `value` if it is finite and at most `bound` in size, else leaves what was held; `sound` is 1 or 0. */
+static inline void differential_gearboxes_guard(differential_gearboxes_real value, differential_gearboxes_real bound, differential_gearboxes_real before, differential_gearboxes_real *held,
+                                      differential_gearboxes_real *sound)
+{
+    const int good = differential_gearboxes_abs(value) <= bound; /* false for NaN */
+    *held = good ? value : before;
+    *sound = good ? 1.0 : 0.0;
+}
+
+/*
+ * Friction torques of one step: |T_i| <= m_i, w_plus = w - K T, and w_plus_i is positive only where T_i = m_i,
+ * negative only where T_i = -m_i, else exactly zero. Closed forms for one and two elements.
+ */
+void differential_gearboxes_solve_box(int n, const differential_gearboxes_real *K, const differential_gearboxes_real *w, const differential_gearboxes_real *m,
+                            differential_gearboxes_real *T, differential_gearboxes_real *w_plus);
+
+#endif

@@ -1,0 +1,157 @@
+/*
+ * differential_controller.h: controller of the bed differential
+ *
+ * Emitted by ptgen 0.1.0 from differential.toml (SHA-256 5e355ff6d92b28a7), template block.h.jinja.
+ * Do not edit: change the test bed file and emit again. This code belongs to whoever emitted it.
+ */
+#ifndef DIFFERENTIAL_CONTROLLER_H
+#define DIFFERENTIAL_CONTROLLER_H
+
+#include "differential_support.h"
+
+/* Parameters, in SI units; call differential_controller_update after a change. */
+typedef struct {
+    differential_real sample_time; /* step of the controller (s) */
+    differential_real fault_ramp; /* time in which the torque goes to zero after a fault (s) */
+    differential_real diff_input_torque_ref_plausible; /* largest plausible diff_input_torque_ref (N m) */
+    differential_real M2_speed_ref_plausible; /* largest plausible M2_speed_ref (rad/s) */
+    differential_real M3_speed_ref_plausible; /* largest plausible M3_speed_ref (rad/s) */
+    differential_real M1_speed_plausible; /* largest plausible M1_speed (rad/s) */
+    differential_real flange1_torque_plausible; /* largest plausible flange1_torque (N m) */
+    differential_real flange2_torque_plausible; /* largest plausible flange2_torque (N m) */
+    differential_real M2_speed_plausible; /* largest plausible M2_speed (rad/s) */
+    differential_real flange3_torque_plausible; /* largest plausible flange3_torque (N m) */
+    differential_real M3_speed_plausible; /* largest plausible M3_speed (rad/s) */
+    differential_real load_compensation; /* switch of the load torque compensation, 0 to 1 */
+    differential_real acceleration_torque; /* switch of the acceleration torque, 0 to 1 */
+    differential_real M1_speed_rated; /* speed up to which the largest torque is available (rad/s) */
+    differential_real M1_torque_max; /* largest air-gap torque up to the rated speed (N m) */
+    differential_real M2_speed_rated; /* speed up to which the largest torque is available (rad/s) */
+    differential_real M2_torque_max; /* largest air-gap torque up to the rated speed (N m) */
+    differential_real M3_speed_rated; /* speed up to which the largest torque is available (rad/s) */
+    differential_real M3_torque_max; /* largest air-gap torque up to the rated speed (N m) */
+    differential_real M2_speed_gain; /* proportional gain of the speed of M2 (N m s/rad) */
+    differential_real M2_speed_integral_gain; /* integral gain of the speed of M2 (N m/rad) */
+    differential_real M3_speed_gain; /* proportional gain of the speed of M3 (N m s/rad) */
+    differential_real M3_speed_integral_gain; /* integral gain of the speed of M3 (N m/rad) */
+    differential_real M1_sensor_inertia_M2; /* torque of M1 that its sensors miss, per acceleration of M2 (kg m^2) */
+    differential_real M2_inertia; /* moment of inertia of the rotor (kg m^2) */
+    differential_real M1_sensor_inertia_M3; /* torque of M1 that its sensors miss, per acceleration of M3 (kg m^2) */
+    differential_real M3_inertia; /* moment of inertia of the rotor (kg m^2) */
+    differential_real diff_ratio; /* ratio i_d of input speed to mean output speed */
+    differential_real M1_damping; /* active damping by M1 (5.81) (N m s/rad) */
+    differential_real M1_inertia_estimate; /* inertia that M1 accelerates (5.78) (kg m^2) */
+    differential_real M1_feedforward; /* share of the torque reference fed forward to M1 */
+    differential_real M1_torque_gain; /* proportional gain of the torque control of M1 */
+    differential_real M1_torque_integral_gain; /* integral gain of the torque control of M1 (1/s) */
+    differential_real M1_damping_reserve; /* share of the torque of M1 kept for damping */
+    differential_real M1_torque_integral_limit; /* limit of the torque integrator of M1 (N m) */
+} differential_controller_params;
+
+/* Inputs of a step. */
+typedef struct {
+    differential_real diff_input_torque_ref; /* reference (N m) */
+    differential_real M2_speed_ref; /* reference (rad/s) */
+    differential_real M3_speed_ref; /* reference (rad/s) */
+    differential_real M1_speed; /* measured (rad/s) */
+    differential_real flange1_torque; /* measured (N m) */
+    differential_real flange2_torque; /* measured (N m) */
+    differential_real M2_speed; /* measured (rad/s) */
+    differential_real flange3_torque; /* measured (N m) */
+    differential_real M3_speed; /* measured (rad/s) */
+} differential_controller_inputs;
+
+/* Outputs of a step; torques are positive when they drive the right-hand neighbour. */
+typedef struct {
+    differential_real M1_torque_ref; /* air-gap torque reference of M1 (N m) */
+    differential_real M2_torque_ref; /* air-gap torque reference of M2 (N m) */
+    differential_real M3_torque_ref; /* air-gap torque reference of M3 (N m) */
+} differential_controller_outputs;
+
+/* States first, then what follows from the parameters. Matrices are stored by columns. */
+typedef struct {
+    differential_real fault; /* 0, or the number of the input that failed */
+    differential_real diff_input_torque_ref_held; /* last sound value of diff_input_torque_ref (N m) */
+    differential_real M2_speed_ref_held; /* last sound value of M2_speed_ref (rad/s) */
+    differential_real M3_speed_ref_held; /* last sound value of M3_speed_ref (rad/s) */
+    differential_real M1_speed_held; /* last sound value of M1_speed (rad/s) */
+    differential_real flange1_torque_held; /* last sound value of flange1_torque (N m) */
+    differential_real flange2_torque_held; /* last sound value of flange2_torque (N m) */
+    differential_real M2_speed_held; /* last sound value of M2_speed (rad/s) */
+    differential_real flange3_torque_held; /* last sound value of flange3_torque (N m) */
+    differential_real M3_speed_held; /* last sound value of M3_speed (rad/s) */
+    differential_real M2_speed_integral; /* integrator of the speed control of M2 (N m) */
+    differential_real M3_speed_integral; /* integrator of the speed control of M3 (N m) */
+    differential_real M1_torque_integral; /* integrator of the torque control of M1 (N m) */
+    differential_real authority; /* 1, going to 0 along the ramp after a fault */
+    differential_real M1_last; /* last torque of M1 before a fault (N m) */
+    differential_real M2_last; /* last torque of M2 before a fault (N m) */
+    differential_real M3_last; /* last torque of M3 before a fault (N m) */
+} differential_controller_state;
+
+typedef enum {
+    differential_controller_ok = 0,
+    differential_controller_fault_diff_input_torque_ref = 1, /* diff_input_torque_ref was not finite or not plausible */
+    differential_controller_fault_M2_speed_ref = 2, /* M2_speed_ref was not finite or not plausible */
+    differential_controller_fault_M3_speed_ref = 3, /* M3_speed_ref was not finite or not plausible */
+    differential_controller_fault_M1_speed = 4, /* M1_speed was not finite or not plausible */
+    differential_controller_fault_flange1_torque = 5, /* flange1_torque was not finite or not plausible */
+    differential_controller_fault_flange2_torque = 6, /* flange2_torque was not finite or not plausible */
+    differential_controller_fault_M2_speed = 7, /* M2_speed was not finite or not plausible */
+    differential_controller_fault_flange3_torque = 8, /* flange3_torque was not finite or not plausible */
+    differential_controller_fault_M3_speed = 9, /* M3_speed was not finite or not plausible */
+    differential_controller_bad_input = 1100, /* an input is not finite; the state was left as it was */
+    differential_controller_bad_sample_time = 2000, /* outside its range */
+    differential_controller_bad_fault_ramp = 2001, /* outside its range */
+    differential_controller_bad_diff_input_torque_ref_plausible = 2002, /* outside its range */
+    differential_controller_bad_M2_speed_ref_plausible = 2003, /* outside its range */
+    differential_controller_bad_M3_speed_ref_plausible = 2004, /* outside its range */
+    differential_controller_bad_M1_speed_plausible = 2005, /* outside its range */
+    differential_controller_bad_flange1_torque_plausible = 2006, /* outside its range */
+    differential_controller_bad_flange2_torque_plausible = 2007, /* outside its range */
+    differential_controller_bad_M2_speed_plausible = 2008, /* outside its range */
+    differential_controller_bad_flange3_torque_plausible = 2009, /* outside its range */
+    differential_controller_bad_M3_speed_plausible = 2010, /* outside its range */
+    differential_controller_bad_load_compensation = 2011, /* outside its range */
+    differential_controller_bad_acceleration_torque = 2012, /* outside its range */
+    differential_controller_bad_M1_speed_rated = 2013, /* outside its range */
+    differential_controller_bad_M1_torque_max = 2014, /* outside its range */
+    differential_controller_bad_M2_speed_rated = 2015, /* outside its range */
+    differential_controller_bad_M2_torque_max = 2016, /* outside its range */
+    differential_controller_bad_M3_speed_rated = 2017, /* outside its range */
+    differential_controller_bad_M3_torque_max = 2018, /* outside its range */
+    differential_controller_bad_M2_speed_gain = 2019, /* outside its range */
+    differential_controller_bad_M2_speed_integral_gain = 2020, /* outside its range */
+    differential_controller_bad_M3_speed_gain = 2021, /* outside its range */
+    differential_controller_bad_M3_speed_integral_gain = 2022, /* outside its range */
+    differential_controller_bad_M1_sensor_inertia_M2 = 2023, /* outside its range */
+    differential_controller_bad_M2_inertia = 2024, /* outside its range */
+    differential_controller_bad_M1_sensor_inertia_M3 = 2025, /* outside its range */
+    differential_controller_bad_M3_inertia = 2026, /* outside its range */
+    differential_controller_bad_diff_ratio = 2027, /* outside its range */
+    differential_controller_bad_M1_damping = 2028, /* outside its range */
+    differential_controller_bad_M1_inertia_estimate = 2029, /* outside its range */
+    differential_controller_bad_M1_feedforward = 2030, /* outside its range */
+    differential_controller_bad_M1_torque_gain = 2031, /* outside its range */
+    differential_controller_bad_M1_torque_integral_gain = 2032, /* outside its range */
+    differential_controller_bad_M1_damping_reserve = 2033, /* outside its range */
+    differential_controller_bad_M1_torque_integral_limit = 2034, /* outside its range */
+} differential_controller_status;
+
+extern const differential_controller_params differential_controller_defaults;
+extern const differential_controller_params differential_controller_conventional;
+
+/* Name of a status, for logs. */
+const char *differential_controller_status_text(differential_controller_status status);
+
+/* Sets the initial state and prepares everything that follows from the parameters. */
+differential_controller_status differential_controller_init(differential_controller_state *state, const differential_controller_params *params);
+
+/* Checks the parameters and prepares what follows from them; the rest of the state stays. */
+differential_controller_status differential_controller_update(differential_controller_state *state, const differential_controller_params *params);
+
+/* One step. */
+differential_controller_status differential_controller_step(differential_controller_state *state, const differential_controller_params *params,
+    const differential_controller_inputs *inputs, differential_controller_outputs *outputs);
+
+#endif

@@ -1,0 +1,172 @@
+/*
+ * differential_support.c: arithmetic and small dense algebra
+ *
+ * Emitted by ptgen 0.1.0 from differential.toml (SHA-256 5e355ff6d92b28a7), template support.c.jinja.
+ * Do not edit: change the test bed file and emit again. This code belongs to whoever emitted it.
+ */
+#include "differential_support.h"
+
+#include <math.h>
+#include <string.h>
+
+#define REAL DIFFERENTIAL_REAL
+#define MAX_ORDER DIFFERENTIAL_MAX_ORDER
+
+typedef differential_real real;
+
+real differential_floor(real a) { return floor(a); }
+
+void differential_zero(size_t bytes, void *array) { memset(array, 0, bytes); }
+
+static int padded(int rows) { return rows + rows % 2; }
+
+/* Cholesky factor of the leading (n, n) part, lower triangle, in place. */
+static int factorise(int n, real *M)
+{
+    const int stride = padded(n);
+    for (int j = 0; j < n; ++j) {
+        real pivot = M[j * stride + j];
+        for (int k = 0; k < j; ++k) {
+            pivot -= M[k * stride + j] * M[k * stride + j];
+        }
+        if (!(pivot > 0.0)) {
+            return 0;
+        }
+        const real root = sqrt(pivot);
+        M[j * stride + j] = root;
+        for (int i = j + 1; i < n; ++i) {
+            real sum = M[j * stride + i];
+            for (int k = 0; k < j; ++k) {
+                sum -= M[k * stride + i] * M[k * stride + j];
+            }
+            M[j * stride + i] = sum / root;
+        }
+    }
+    return 1;
+}
+
+int differential_cholesky_solve(int n, int columns, real *M, const real *R, real *X)
+{
+    const int stride = padded(n);
+    if (!factorise(n, M)) {
+        return 0;
+    }
+    for (int c = 0; c < columns; ++c) {
+        const real *right = R + c * stride;
+        real *solution = X + c * stride;
+        for (int i = 0; i < n; ++i) {
+            real sum = right[i];
+            for (int k = 0; k < i; ++k) {
+                sum -= M[k * stride + i] * solution[k];
+            }
+            solution[i] = sum / M[i * stride + i];
+        }
+        for (int i = n - 1; i >= 0; --i) {
+            real sum = solution[i];
+            for (int k = i + 1; k < n; ++k) {
+                sum -= M[i * stride + k] * solution[k];
+            }
+            solution[i] = sum / M[i * stride + i];
+        }
+    }
+    return 1;
+}
+
+int differential_require_definite(int n, const real *K)
+{
+    real copy[MAX_ORDER * MAX_ORDER];
+    memcpy(copy, K, sizeof(real) * (size_t)(n * padded(n)));
+    return factorise(n, copy);
+}
+
+void differential_insert(int rows, int target_stride, int source_stride, int row, int column, int first, int count,
+                         real *target, const real *source)
+{
+    for (int c = 0; c < count; ++c) {
+        for (int i = 0; i < rows; ++i) {
+            target[(column + c) * target_stride + row + i] = source[(first + c) * source_stride + i];
+        }
+    }
+}
+
+void differential_difference(int rows, int columns, const real *A, const real *B, real *C)
+{
+    const int count = padded(rows) * columns;
+    for (int k = 0; k < count; ++k) {
+        C[k] = A[k] - B[k];
+    }
+}
+
+/* P = X Y, all (size, size), by columns without padding. */
+static void product(int size, const real *X, const real *Y, real *P)
+{
+    for (int j = 0; j < size; ++j) {
+        real *column = P + j * size;
+        for (int i = 0; i < size; ++i) {
+            column[i] = 0.0;
+        }
+        for (int k = 0; k < size; ++k) {
+            const real y = Y[j * size + k];
+            for (int i = 0; i < size; ++i) {
+                column[i] += X[k * size + i] * y;
+            }
+        }
+    }
+}
+
+int differential_discretise(int n, int total, int squarings, const real *A, const real *scale, real t, real *E)
+{
+    real X[MAX_ORDER * MAX_ORDER];
+    real S[MAX_ORDER * MAX_ORDER];
+    real P[MAX_ORDER * MAX_ORDER];
+    const int stride = padded(n);
+    real factor = t;
+    for (int k = 0; k < squarings; ++k) {
+        factor *= REAL(0.5);
+    }
+    for (int j = 0; j < total; ++j) {
+        real norm = 0.0;
+        for (int i = 0; i < total; ++i) {
+            const real entry = i < n ? A[j * stride + i] * scale[j] / scale[i] * factor : 0.0;
+            X[j * total + i] = entry;
+            norm += differential_abs(entry);
+        }
+        if (!(norm <= 1.0)) {
+            return 0;
+        }
+    }
+    for (int k = 0; k < total * total; ++k) {
+        S[k] = X[k] / REAL(18) + (k % (total + 1) == 0 ? 1.0 : 0.0);
+    }
+    for (int degree = 17; degree > 0; --degree) {
+        product(total, X, S, P);
+        for (int k = 0; k < total * total; ++k) {
+            S[k] = P[k] / (real)degree + (k % (total + 1) == 0 ? 1.0 : 0.0);
+        }
+    }
+    for (int k = 0; k < squarings; ++k) {
+        product(total, S, S, P);
+        memcpy(S, P, sizeof(real) * (size_t)(total * total));
+    }
+    for (int j = 0; j < total; ++j) {
+        for (int i = 0; i < n; ++i) {
+            E[j * stride + i] = S[j * total + i] * scale[i] / scale[j];
+        }
+    }
+    return 1;
+}
+
+void differential_solve_box(int n, const real *K, const real *w, const real *m, real *T, real *w_plus)
+{
+    if (n == 1) {
+        T[0] = differential_clamp(w[0] / K[0], m[0]);
+        w_plus[0] = differential_abs(T[0]) < m[0] ? 0.0 : w[0] - K[0] * T[0];
+        return;
+    }
+    const real K11 = K[0], K21 = K[1], K12 = K[2], K22 = K[3];
+    const real t2 = differential_clamp((K11 * w[1] - K21 * w[0]) / (K11 * K22 - K12 * K21), m[1]);
+    T[0] = differential_clamp((w[0] - K12 * t2) / K11, m[0]);
+    T[1] = differential_clamp((w[1] - K21 * T[0]) / K22, m[1]);
+    w_plus[0] = differential_abs(T[0]) < m[0] ? 0.0 : w[0] - K11 * T[0] - K12 * T[1];
+    w_plus[1] = differential_abs(T[1]) < m[1] ? 0.0 : w[1] - K21 * T[0] - K22 * T[1];
+}

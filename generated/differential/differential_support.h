@@ -1,0 +1,123 @@
+/*
+ * differential_support.h: arithmetic and small dense algebra
+ *
+ * Emitted by ptgen 0.1.0 from differential.toml (SHA-256 5e355ff6d92b28a7), template support.h.jinja.
+ * Do not edit: change the test bed file and emit again. This code belongs to whoever emitted it.
+ */
+#ifndef DIFFERENTIAL_SUPPORT_H
+#define DIFFERENTIAL_SUPPORT_H
+
+#include <stddef.h>
+
+typedef double differential_real;
+
+#define DIFFERENTIAL_REAL(x) ((differential_real)(x))
+
+/* Order up to which differential_discretise works: states, inputs and friction elements together. */
+#define DIFFERENTIAL_MAX_ORDER 22
+
+static inline differential_real differential_min(differential_real a, differential_real b) { return a < b ? a : b; }
+static inline differential_real differential_max(differential_real a, differential_real b) { return a > b ? a : b; }
+static inline differential_real differential_abs(differential_real a) { return a < 0.0 ? -a : a; }
+static inline differential_real differential_sign(differential_real a)
+{
+    return a > 0.0 ? 1.0 : (a < 0.0 ? -1.0 : 0.0);
+}
+/* False for NaN and infinity; needs no library function. */
+static inline int differential_is_finite(differential_real a) { return a - a == 0.0; }
+static inline differential_real differential_clamp(differential_real value, differential_real bound)
+{
+    return differential_max(-bound, differential_min(bound, value));
+}
+
+differential_real differential_floor(differential_real a);
+
+/* Sets an array of `bytes` bytes to zero. */
+void differential_zero(size_t bytes, void *array);
+
+/*
+ * Matrices are stored by columns; the number of rows in memory is rounded up to an even one.
+ * Functions that return an int return 1 on success and 0 on failure.
+ */
+
+/* Solves M X = R for symmetric positive definite M (n, n); M is overwritten by its Cholesky factor. */
+int differential_cholesky_solve(int n, int columns, differential_real *M, const differential_real *R, differential_real *X);
+
+/* Whether the symmetric matrix K (n, n) is positive definite. */
+int differential_require_definite(int n, const differential_real *K);
+
+/* Copies `count` columns of `source` (rows, .), from column `first` on, to (row, column) of `target`. */
+void differential_insert(int rows, int target_stride, int source_stride, int row, int column, int first, int count,
+                         differential_real *target, const differential_real *source);
+
+/* C = A - B, all (rows, columns). */
+void differential_difference(int rows, int columns, const differential_real *A, const differential_real *B, differential_real *C);
+
+/*
+ * First n rows of exp(A t), A (n, total) over zero rows, balanced by `scale` (total): Taylor series of degree
+ * 18 with `squarings` squarings. Fails if the argument is too large for them.
+ */
+int differential_discretise(int n, int total, int squarings, const differential_real *A, const differential_real *scale,
+                            differential_real t, differential_real *E);
+
+/* y = A x for A (n, m); runs over pairs of rows, the padding included. */
+static inline void differential_multiply(int n, int m, const differential_real *restrict A, const differential_real *restrict x,
+                                         differential_real *restrict y)
+{
+    const int rows = n + n % 2;
+    for (int i = 0; i < rows; i += 2) {
+        differential_real sum0 = 0.0;
+        differential_real sum1 = 0.0;
+        for (int j = 0; j < m; ++j) {
+            sum0 += A[j * rows + i] * x[j];
+            sum1 += A[j * rows + i + 1] * x[j];
+        }
+        y[i] = sum0;
+        y[i + 1] = sum1;
+    }
+}
+
+/* y = x + A T for A (n, m). */
+static inline void differential_add_product(int n, int m, differential_real *restrict y, const differential_real *restrict x,
+                                                 const differential_real *restrict A, const differential_real *restrict T)
+{
+    const int rows = n + n % 2;
+    for (int i = 0; i < n; ++i) {
+        differential_real sum = x[i];
+        for (int j = 0; j < m; ++j) {
+            sum += A[j * rows + i] * T[j];
+        }
+        y[i] = sum;
+    }
+}
+
+/* Pushes `value` into a delay line; `late` is the value of `steps` steps ago, `early` the one of a step before. */
+static inline void differential_delay(int capacity, differential_real *line, differential_real value, differential_real steps,
+                                      differential_real *late, differential_real *early)
+{
+    const int depth = (int)steps;
+    *late = depth == 0 ? value : line[depth - 1];
+    *early = line[depth];
+    for (int k = capacity - 1; k > 0; --k) {
+        line[k] = line[k - 1];
+    }
+    line[0] = value;
+}
+
+/* Takes `value` if it is finite and at most `bound` in size, else leaves what was held; `sound` is 1 or 0. */
+static inline void differential_guard(differential_real value, differential_real bound, differential_real before, differential_real *held,
+                                      differential_real *sound)
+{
+    const int good = differential_abs(value) <= bound; /* false for NaN */
+    *held = good ? value : before;
+    *sound = good ? 1.0 : 0.0;
+}
+
+/*
+ * Friction torques of one step: |T_i| <= m_i, w_plus = w - K T, and w_plus_i is positive only where T_i = m_i,
+ * negative only where T_i = -m_i, else exactly zero. Closed forms for one and two elements.
+ */
+void differential_solve_box(int n, const differential_real *K, const differential_real *w, const differential_real *m,
+                            differential_real *T, differential_real *w_plus);
+
+#endif
