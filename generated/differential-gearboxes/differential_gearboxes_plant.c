@@ -143,7 +143,7 @@ const char *differential_gearboxes_plant_status_text(differential_gearboxes_plan
     case differential_gearboxes_plant_exponential_range:
         return "the parameters are too far from those that the code was emitted for; emit it again";
     case differential_gearboxes_plant_friction_matrix:
-        return "a mode of the bed is too fast for the step; make its shaft softer or rigid, or shorten the step";
+        return "a mode of the bed is too fast for the step; make a stiff shaft rigid, or the step shorter";
     case differential_gearboxes_plant_bad_input:
         return "an input is not finite";
     default:

@@ -157,6 +157,16 @@ class Block:
         """Return the declared signal `name`, or None for a local scalar."""
         return self._index.get(name)
 
+    def declared(self, name: str) -> Signal:
+        """Return the declared signal `name`.
+
+        Raises
+        ------
+        KeyError
+            If the block declares no such signal.
+        """
+        return self._index[name]
+
     def statements(self, section: str) -> tuple[Statement, ...]:
         """Return the statements of `section`."""
         return {"prepare": self.prepare, "step": self.step, "measure": self.measure}[section]

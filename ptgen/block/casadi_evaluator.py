@@ -1,7 +1,7 @@
 """The CasADi evaluator of blocks: functions for optimisation, differentiation and code generation.
 
-Non-finite inputs are not supervised here: CasADi's branches evaluate both sides, so a NaN passes through. All
-other behaviour is that of the other evaluators.
+Whether a signal that is not finite is supervised as in the other evaluators depends on how CasADi evaluates
+branches, which it does not promise; all other behaviour is that of the other evaluators.
 """
 
 from __future__ import annotations

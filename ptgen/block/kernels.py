@@ -14,7 +14,19 @@ from numpy.typing import NDArray
 
 from ptgen.friction.box import solve_box
 
-__all__ = ["KERNELS", "TAYLOR_DEGREE"]
+__all__ = [
+    "KERNELS",
+    "TAYLOR_DEGREE",
+    "add_product",
+    "cholesky_solve",
+    "delay",
+    "difference",
+    "discretise",
+    "guard",
+    "insert",
+    "multiply",
+    "require_definite",
+]
 
 Array = NDArray[np.float64]
 

@@ -88,9 +88,16 @@ class _Controller:
         return next(s.name for s in self.design.model.sensors if s.kind is SensorKind.SPEED and s.of == velocity)
 
     def _parameter(
-        self, name: str, unit: str, text: str, value: float, least: float | None = 0.0, allowed: bool = True
+        self,
+        name: str,
+        unit: str,
+        text: str,
+        value: float,
+        least: float | None = 0.0,
+        allowed: bool = True,
+        most: float | None = None,
     ) -> sp.Symbol:
-        signal = Signal(name, unit, text, value=value, least=least, least_allowed=allowed)
+        signal = Signal(name, unit, text, value=value, least=least, least_allowed=allowed, most=most)
         self.parameters.setdefault(name, signal)
         return _symbol(name)
 
@@ -129,8 +136,10 @@ class _Controller:
         )
         references = self._references()
         measured = self._supervise([*references.values(), *(design.sensors[k] for k in self.sensors)])
-        load = self._parameter("load_compensation", "", "switch of the load torque compensation, 0 to 1", 1.0)
-        accelerate = self._parameter("acceleration_torque", "", "switch of the acceleration torque, 0 to 1", 1.0)
+        load = self._parameter("load_compensation", "", "switch of the load torque compensation, 0 to 1", 1.0, most=1.0)
+        accelerate = self._parameter(
+            "acceleration_torque", "", "switch of the acceleration torque, 0 to 1", 1.0, most=1.0
+        )
         limits = {machine: self._limit(machine, measured) for machine in range(len(design.machines))}
         virtual: dict[int, sp.Expr] = {}
         commands: dict[int, sp.Symbol] = {}
@@ -288,7 +297,7 @@ class _Controller:
                 f"{name}_sensor_inertia_{other}",
                 "kg m^2",
                 f"torque of {name} that its sensors miss, per acceleration of {other}",
-                float(f"{inertia:.12g}"),
+                inertia,
                 None,
             )
             rotor = self._model_parameters(
@@ -336,6 +345,7 @@ class _Controller:
             "",
             f"share of the torque of {name} kept for damping",
             self.tuning.damping_reserve,
+            most=1.0,
         )
         bound = self._parameter(
             f"{name}_torque_integral_limit",

@@ -84,19 +84,26 @@ def gains(decoupling: Decoupling, full: Model, tuning: Tuning, modes: tuple[Mode
     weak = min((2 * np.pi * mode.frequency_hz * mode.damping_ratio for mode in elastic), default=np.inf)
     conventional = tuning.conventional_torque_bandwidth or min(float(weak), tuning.torque_bandwidth)
     wanted = tuning.speed_bandwidth
+    inertia = {name: _rounded(inertia[name]) for name in torque_machines}
     return Gains(
-        speed={name: rotors[name] * wanted for name in speed_machines},
-        speed_integral={name: rotors[name] * wanted**2 / 4 for name in speed_machines},
+        speed={name: _rounded(rotors[name] * wanted) for name in speed_machines},
+        speed_integral={name: _rounded(rotors[name] * wanted**2 / 4) for name in speed_machines},
         torque_integral=dict.fromkeys(torque_machines, tuning.torque_bandwidth),
-        conventional_integral=dict.fromkeys(torque_machines, conventional),
+        conventional_integral=dict.fromkeys(torque_machines, _rounded(conventional)),
         damping={
-            name: 2 * tuning.damping_ratio * float(np.sqrt(stiffness[name] * inertia[name])) for name in torque_machines
+            name: _rounded(2 * tuning.damping_ratio * float(np.sqrt(stiffness[name] * inertia[name])))
+            for name in torque_machines
         },
-        inertia_estimate={name: inertia[name] for name in torque_machines},
+        inertia_estimate=inertia,
         sensor_inertia=_sensor_inertia(decoupling, full, steady, rotors),
         stiffness=stiffness,
         natural_frequency={name: float(np.sqrt(stiffness[name] / inertia[name])) for name in torque_machines},
     )
+
+
+def _rounded(value: float) -> float:
+    """Round to six digits: more would emit the rounding errors of the linear algebra at hand."""
+    return float(f"{value:.6g}")
 
 
 def _accelerated_inertia(decoupling: Decoupling, steady: Array) -> dict[str, float]:
@@ -132,7 +139,8 @@ def _sensor_inertia(
         for column, other in enumerate(speed_machines):
             name = decoupling.machines[other]
             known = of_virtual[index, decoupling.torque_count + column] * rotors[name]
-            missing[name] = -float(read[index, column] + known)
+            inertia = -float(read[index, column] + known)
+            missing[name] = _rounded(inertia) if abs(inertia) > 1e-7 * rotors[name] else 0.0
         result[decoupling.machines[machine]] = missing
     return result
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from ptgen.block.block import Assign, Block, Call, Section, Signal, Statement, parse_element
 from ptgen.emit.c_expressions import CExpressions, Precision, literal
 
-__all__ = ["CBlock", "CField"]
+__all__ = ["CBlock", "CField", "even"]
 
 _FAILURES = {
     "cholesky_solve": "mass_matrix",

@@ -19,7 +19,7 @@ __all__ = ["RecordedSignal", "generate", "project_files", "recorded_signals"]
 _FAILURE_TEXTS = {
     "mass_matrix": "the inertia matrix is not positive definite",
     "exponential_range": "the parameters are too far from those that the code was emitted for; emit it again",
-    "friction_matrix": "a mode of the bed is too fast for the step; make its shaft softer or rigid, or shorten the step",
+    "friction_matrix": "a mode of the bed is too fast for the step; make a stiff shaft rigid, or the step shorter",
 }
 
 
@@ -121,6 +121,4 @@ def generate(project: Project, directory: Path, precision: Precision = "double")
 
 def _max_order(plant: Block) -> int:
     """Return the order of the exponential: columns of the matrix A of the plant."""
-    signal = plant.signal("A")
-    assert signal is not None
-    return signal.shape[1]
+    return plant.declared("A").shape[1]

@@ -93,6 +93,7 @@ def _find_joint(mechanism: Mechanism, keep: frozenset[str]) -> tuple[frozenset[s
             and plain
             and len(inside) == len(group) - 1
             and all(len(set(spring.row) & group) == 1 and spring.name not in keep for spring in springs)
+            and all(abs(value) == 1 for spring in springs for value in spring.row.values())
         ):
             return frozenset(group), springs[0], springs[1]
     return None

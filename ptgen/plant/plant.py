@@ -12,7 +12,7 @@ keeps order 2.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -373,10 +373,9 @@ class _Plant:
     def _over_x(self, row: sp.Matrix) -> sp.Expr:
         return sum((row[k] * element("x", k) for k in range(self.layout.n_z) if row[k] != 0), sp.Integer(0))
 
-    def _over(self, name: str, form: LinearForm, x: object) -> sp.Expr:
+    def _over(self, name: str, form: LinearForm, x: Callable[[int], sp.Expr]) -> sp.Expr:
         """Return a linear form as an expression; `x` gives the entries of the state array."""
         layout = self.layout
-        assert callable(x)
         variables: list[sp.Expr] = [
             *(x(k) for k in range(layout.n_z + layout.n_e)),
             *(x(layout.air_gap(i)) for i in range(layout.n_u)),

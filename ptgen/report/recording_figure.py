@@ -158,7 +158,8 @@ def _draw(axes: Axes, panel: Panel, time: NDArray[np.float64]) -> None:
     axes.tick_params(labelsize=8)
     for side in ("top", "right"):
         axes.spines[side].set_visible(False)
-    _legend(axes, panel)
+    limits = [scale * curve.values for curve in panel.curves if curve.style == "limit"]
+    _legend(axes, panel, limits_seen=any(bool(np.any((low < y) & (y < high))) for y in limits))
 
 
 def _range(values: Sequence[NDArray[np.float64]]) -> tuple[float, float]:
@@ -171,16 +172,14 @@ def _range(values: Sequence[NDArray[np.float64]]) -> tuple[float, float]:
     return low - margin, high + margin
 
 
-def _legend(axes: Axes, panel: Panel) -> None:
+def _legend(axes: Axes, panel: Panel, *, limits_seen: bool) -> None:
     from matplotlib.lines import Line2D
 
     handles = [Line2D([], [], color=c.colour, lw=1.8, label=c.name) for c in panel.curves if c.name]
     styles = {curve.style for curve in panel.curves}
     if "reference" in styles:
         handles.append(Line2D([], [], color=REFERENCE, lw=0.9, ls=(0, (4, 2)), label="reference"))
-    low, high = axes.get_ylim()
-    limits = [line for line in axes.lines if line.get_linestyle() == ":"]
-    if any(((line.get_ydata() > low) & (line.get_ydata() < high)).any() for line in limits):
+    if limits_seen:
         handles.append(Line2D([], [], color=GREY, lw=1.0, ls=":", label="limit"))
     axes.legend(
         handles=handles, loc="upper left", bbox_to_anchor=(1.005, 1.0), fontsize=8, frameon=False, borderaxespad=0.0

@@ -106,8 +106,7 @@ class CompiledBlock:
 
     def read(self, state: Any, name: str) -> NDArray[np.float64]:
         """Return a state or derived quantity as an array of its shape."""
-        signal = self.block.signal(name)
-        assert signal is not None
+        signal = self.block.declared(name)
         value = np.array(getattr(state, name), dtype=np.float64)
         if len(signal.shape) == 2:
             return value.T[: signal.shape[0]].copy()
@@ -115,8 +114,7 @@ class CompiledBlock:
 
     def write(self, state: Any, name: str, value: Any) -> None:
         """Set a state."""
-        signal = self.block.signal(name)
-        assert signal is not None
+        signal = self.block.declared(name)
         if not signal.shape:
             setattr(state, name, float(value))
             return

@@ -105,7 +105,9 @@ class _Run:
         self._struct = kind()
         size = getattr(library.handle, f"{library.prefix}_run_size")
         size.restype = ctypes.c_size_t
-        assert size() == ctypes.sizeof(kind), "layout of the compiled struct differs"
+        if size() != ctypes.sizeof(kind):
+            what = f"{library.path.name} has another layout than this version of ptgen emits"
+            raise RunError(Problem("", what, "delete it, it will be built anew"))
 
     def set_parameters(self, controller: ControllerName, parameters: Mapping[str, float]) -> None:
         library, struct = self._library, self._struct

@@ -14,7 +14,7 @@ from ptgen.errors import Problem
 from ptgen.testbed.problems import dotted, example, shown, validated
 from ptgen.testbed.recording import RecordingError, read_columns
 
-__all__ = ["Profile", "read_profile"]
+__all__ = ["Points", "Profile", "Recording", "read_profile"]
 
 
 @dataclass(frozen=True)

@@ -15,7 +15,7 @@ from ptgen.testbed.profile import Profile, read_profile
 from ptgen.testbed.testbed import Testbed
 from ptgen.testbed.text import read_toml
 
-__all__ = ["Scenario", "load_scenario"]
+__all__ = ["Scenario", "ScenarioSection", "load_scenario"]
 
 _UNITS = {"torque": "N m", "speed": "rad/s"}
 

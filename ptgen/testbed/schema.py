@@ -14,7 +14,7 @@ from ptgen.testbed.names import PATTERN
 from ptgen.testbed.problems import quantity_field
 from ptgen.testbed.testbed import ReductionSettings, Tuning
 
-__all__ = ["BedSection", "ControlSection", "json_schema"]
+__all__ = ["BedFile", "BedSection", "ControlSection", "json_schema"]
 
 
 class BedSection(Record):

@@ -63,11 +63,12 @@ class ReductionSettings(Record):
     """How the model is reduced: section ``[reduction]``."""
 
     inertia_share: Annotated[
-        float, Quantity("", "an inertia below this share of its neighbours' is dropped", positive=False)
+        float,
+        Quantity("", "an inertia below this share of the kinetic energy of the kept modes is dropped", positive=False),
     ] = 0.05
     stiffness_share: Annotated[
         float,
-        Quantity("", "a shaft is rigidised when its compliance is below this share of its neighbours'", positive=False),
+        Quantity("", "a shaft below this share of the strain energy of the kept modes may be rigid", positive=False),
     ] = 0.02
     rigid: tuple[str, ...] = ()
     """Components that are made rigid in any case."""
