@@ -83,8 +83,12 @@ def with_definitions(names: Mapping[str, object], definitions: Mapping[sp.Symbol
 def rates(model, names: Mapping[str, object], inputs: list, frictions: list, states: list) -> list:
     """Return the accelerations of a model's coordinates as expressions over the given variables."""
     form = model.accelerations()
-    variables = [(form.z, states[: len(model.coordinates)]), (form.e, states[len(model.coordinates):]),
-                 (form.u, inputs), (form.f, frictions)]
+    variables = [
+        (form.z, states[: len(model.coordinates)]),
+        (form.e, states[len(model.coordinates) :]),
+        (form.u, inputs),
+        (form.f, frictions),
+    ]
     total = sp.zeros(len(model.coordinates), 1)
     for matrix, values in variables:
         if matrix.shape[1]:
@@ -95,7 +99,13 @@ def rates(model, names: Mapping[str, object], inputs: list, frictions: list, sta
 def signal(model, name: str, names: Mapping[str, object], inputs: list, frictions: list, states: list):
     """Return a sensor or place of a model as an expression over the given variables."""
     form = model.without_acceleration(model.signals[name])
-    variables = [(form.z, states[: len(model.coordinates)]), (form.e, states[len(model.coordinates):]),
-                 (form.u, inputs), (form.f, frictions)]
-    return sum(((rename(matrix, names) * sp.Matrix(values))[0] for matrix, values in variables if matrix.shape[1]),
-               sp.Integer(0))
+    variables = [
+        (form.z, states[: len(model.coordinates)]),
+        (form.e, states[len(model.coordinates) :]),
+        (form.u, inputs),
+        (form.f, frictions),
+    ]
+    return sum(
+        ((rename(matrix, names) * sp.Matrix(values))[0] for matrix, values in variables if matrix.shape[1]),
+        sp.Integer(0),
+    )

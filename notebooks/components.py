@@ -65,8 +65,11 @@ w_di, w_do1, w_do2, w_3b, w_c = sp.symbols("omega_di omega_do1 omega_do2 omega_3
 pinion = sp.Matrix([w_3b, 0, w_c])
 contact1, contact2 = sp.Matrix([r1, 0, -r3]), sp.Matrix([r2, 0, r3])
 check("3.14", [r1 * w_c + r3 * w_3b, r2 * w_c - r3 * w_3b], [pinion.cross(contact1)[1], pinion.cross(contact2)[1]])
-check("3.14", [r1 * w_do1, r2 * w_do2],
-      [sp.Matrix([0, 0, w_do1]).cross(contact1)[1], sp.Matrix([0, 0, w_do2]).cross(contact2)[1]])
+check(
+    "3.14",
+    [r1 * w_do1, r2 * w_do2],
+    [sp.Matrix([0, 0, w_do1]).cross(contact1)[1], sp.Matrix([0, 0, w_do2]).cross(contact2)[1]],
+)
 
 # %% [markdown]
 # ### Free-body equations (3.15)
@@ -80,8 +83,13 @@ constraints = sp.Matrix([r0 * w_di - r_c * w_c, r1 * w_do1 - r1 * w_c - r3 * w_3
 J = constraints.jacobian(velocities)
 applied = sp.Matrix([T_di - T_dl, -T_do1, -T_do2, -T_dsl, 0])
 free_body = applied + J.T * sp.Matrix([-F0, F1, F2])
-printed_3_15 = [T_di - T_dl - r0 * F0, r1 * F1 - T_do1, r2 * F2 - T_do2, r3 * F2 - r3 * F1 - T_dsl,
-                r_c * F0 - r1 * F1 - r2 * F2]
+printed_3_15 = [
+    T_di - T_dl - r0 * F0,
+    r1 * F1 - T_do1,
+    r2 * F2 - T_do2,
+    r3 * F2 - r3 * F1 - T_dsl,
+    r_c * F0 - r1 * F1 - r2 * F2,
+]
 check("3.15", printed_3_15, free_body)
 
 # %% [markdown]
@@ -98,19 +106,29 @@ bevel_acceleration = bevel_inertia.LUsolve(bevel_torque)
 definitions = {i_d: r_c / r0, I_d: I_c + (r_c / r0) ** 2 * I0}
 
 # as printed
-printed_D_c = I_d * (I1 * r3**2 / r1**2 + I2 * r3**2 / r2**2 + I3) + I1 * I2 * (r3 / r1 + r3 / r2) ** 2 + I1 * I3 + I2 * I3
-printed_w_di = (i_d**2 * (T_di - T_dl) * (I1 * r3**2 / r1**2 + I2 * r3**2 / r2**2 + I3)
-                - i_d * T_dsl * (I2 * r3 / r2 - I1 * r3 / r1)
-                - i_d * T_do1 * (I2 * r3**2 / r2**2 + I2 * r3**2 / (r1 * r2) + I3)
-                - i_d * T_do2 * (I1 * r3**2 / r1**2 + I1 * r3**2 / (r1 * r2) + I3))
-printed_w_3b = (i_d * (T_di - T_dl) * (I2 * r3 / r2 - I1 * r3 / r1) - T_dsl * (I_d + I1 + I2)
-                - T_do1 * (I_d * r3 / r1 + I2 * r3 / r1 + I2 * r3 / r2)
-                + T_do2 * (I_d * r3 / r2 + I1 * r3 / r1 + I1 * r3 / r2))
+printed_D_c = (
+    I_d * (I1 * r3**2 / r1**2 + I2 * r3**2 / r2**2 + I3) + I1 * I2 * (r3 / r1 + r3 / r2) ** 2 + I1 * I3 + I2 * I3
+)
+printed_w_di = (
+    i_d**2 * (T_di - T_dl) * (I1 * r3**2 / r1**2 + I2 * r3**2 / r2**2 + I3)
+    - i_d * T_dsl * (I2 * r3 / r2 - I1 * r3 / r1)
+    - i_d * T_do1 * (I2 * r3**2 / r2**2 + I2 * r3**2 / (r1 * r2) + I3)
+    - i_d * T_do2 * (I1 * r3**2 / r1**2 + I1 * r3**2 / (r1 * r2) + I3)
+)
+printed_w_3b = (
+    i_d * (T_di - T_dl) * (I2 * r3 / r2 - I1 * r3 / r1)
+    - T_dsl * (I_d + I1 + I2)
+    - T_do1 * (I_d * r3 / r1 + I2 * r3 / r1 + I2 * r3 / r2)
+    + T_do2 * (I_d * r3 / r2 + I1 * r3 / r1 + I1 * r3 / r2)
+)
 check("3.16", (printed_w_di / printed_D_c).subs(definitions), bevel_acceleration[0])
 check("3.17", (printed_w_3b / printed_D_c).subs(definitions), bevel_acceleration[1])
 check("3.18", printed_D_c.subs(definitions), bevel_inertia.det() * (r_c / r0) ** 2)
-check("3.19", [w_di / i_d + r3 / r1 * w_3b, w_di / i_d - r3 / r2 * w_3b],
-      [(S * sp.Matrix([w_di, w_3b]))[k].subs(r0, r_c / i_d) for k in (1, 2)])
+check(
+    "3.19",
+    [w_di / i_d + r3 / r1 * w_3b, w_di / i_d - r3 / r2 * w_3b],
+    [(S * sp.Matrix([w_di, w_3b]))[k].subs(r0, r_c / i_d) for k in (1, 2)],
+)
 
 # %% [markdown]
 # Power balance: the rate of the kinetic energy is the power of the torques, with the printed
@@ -129,8 +147,11 @@ check("3.16", (state.T * bevel_inertia * printed_acceleration)[0], power)
 # %%
 static = sp.solve(list(bevel_torque.subs(r0, r_c / i_d)), [T_do1, T_do2], dict=True)[0]
 gamma1, gamma2, gamma0 = r1 / (r1 + r2), r2 / (r1 + r2), r1 * r2 / (r3 * (r1 + r2))
-check("3.20", [gamma1 * i_d * (T_di - T_dl) - gamma0 * T_dsl, gamma2 * i_d * (T_di - T_dl) + gamma0 * T_dsl],
-      [static[T_do1], static[T_do2]])
+check(
+    "3.20",
+    [gamma1 * i_d * (T_di - T_dl) - gamma0 * T_dsl, gamma2 * i_d * (T_di - T_dl) + gamma0 * T_dsl],
+    [static[T_do1], static[T_do2]],
+)
 check("3.21", gamma0, -sp.diff(static[T_do1], T_dsl))
 speed = sp.solve(list(constraints.subs(r_c, i_d * r0)), [w_di, w_c, w_3b], dict=True)[0][w_di]
 check("3.22", i_d * (gamma1 * w_do1 + gamma2 * w_do2), speed)
@@ -161,8 +182,12 @@ epi_velocities = sp.Matrix([w_di, w_do1, w_do2, w_3p])
 epi_constraints = sp.Matrix([r_r * w_do1 - r_r * w_di - r_p * w_3p, r_s * w_do2 - r_s * w_di + r_p * w_3p])
 epi_applied = sp.Matrix([T_di - T_dl, -T_do1, -T_do2, -T_dsl])
 epi_free_body = epi_applied + epi_constraints.jacobian(epi_velocities).T * n_p * sp.Matrix([F_r, F_s])
-printed_3_24 = [T_di - T_dl - n_p * r_r * F_r - n_p * r_s * F_s, n_p * r_r * F_r - T_do1, n_p * r_s * F_s - T_do2,
-                n_p * (r_p * F_s - r_p * F_r - T_dsl / n_p)]
+printed_3_24 = [
+    T_di - T_dl - n_p * r_r * F_r - n_p * r_s * F_s,
+    n_p * r_r * F_r - T_do1,
+    n_p * r_s * F_s - T_do2,
+    n_p * (r_p * F_s - r_p * F_r - T_dsl / n_p),
+]
 check("3.24", printed_3_24, epi_free_body)
 
 I_pt = n_p * I_p
@@ -171,21 +196,32 @@ epi_inertia = (S_epi.T * sp.diag(I_c, I_r, I_s, I_pt) * S_epi).applyfunc(sp.canc
 epi_torque = (S_epi.T * epi_applied).applyfunc(sp.cancel)
 epi_acceleration = epi_inertia.LUsolve(epi_torque)
 
-printed_D_epi = (I_c * (I_r * r_p**2 / r_r**2 + I_s * r_p**2 / r_s**2 + I_pt) + I_r * I_s * (r_p / r_r + r_p / r_s) ** 2
-                 + I_r * I_pt + I_s * I_pt)
-printed_epi_di = ((T_di - T_dl) * (I_r * r_p**2 / r_r**2 + I_s * r_p**2 / r_s**2 + I_pt)
-                  - T_dsl * (I_r * r_p / r_r + I_s * r_p / r_s)
-                  - T_do1 * (I_s * r_p**2 / r_s**2 + I_s * r_p**2 / (r_r * r_s) + I_pt)
-                  - T_do2 * (I_r * r_p**2 / r_r**2 + I_r * r_p**2 / (r_r * r_s) + I_pt))
-printed_epi_3p = ((T_di - T_dl) * (I_s * r_p / r_s - I_r * r_p / r_r) - T_dsl * (I_c + I_r + I_s)
-                  - T_do1 * (I_c * r_p / r_r + I_s * r_p / r_s + I_s * r_p / r_r)
-                  + T_do2 * (I_c * r_p / r_s + I_r * r_p / r_r + I_r * r_p / r_s))
+printed_D_epi = (
+    I_c * (I_r * r_p**2 / r_r**2 + I_s * r_p**2 / r_s**2 + I_pt)
+    + I_r * I_s * (r_p / r_r + r_p / r_s) ** 2
+    + I_r * I_pt
+    + I_s * I_pt
+)
+printed_epi_di = (
+    (T_di - T_dl) * (I_r * r_p**2 / r_r**2 + I_s * r_p**2 / r_s**2 + I_pt)
+    - T_dsl * (I_r * r_p / r_r + I_s * r_p / r_s)
+    - T_do1 * (I_s * r_p**2 / r_s**2 + I_s * r_p**2 / (r_r * r_s) + I_pt)
+    - T_do2 * (I_r * r_p**2 / r_r**2 + I_r * r_p**2 / (r_r * r_s) + I_pt)
+)
+printed_epi_3p = (
+    (T_di - T_dl) * (I_s * r_p / r_s - I_r * r_p / r_r)
+    - T_dsl * (I_c + I_r + I_s)
+    - T_do1 * (I_c * r_p / r_r + I_s * r_p / r_s + I_s * r_p / r_r)
+    + T_do2 * (I_c * r_p / r_s + I_r * r_p / r_r + I_r * r_p / r_s)
+)
 erratum("3.25", printed_epi_di / printed_D_epi, epi_acceleration[0], "sign of I_r r_p/r_r in the factor of T_dsl")
 corrected_epi_di = printed_epi_di + T_dsl * 2 * I_r * r_p / r_r
 check("3.25 corrected", corrected_epi_di / printed_D_epi, epi_acceleration[0])
 check("3.26", printed_epi_3p / printed_D_epi, epi_acceleration[1])
 check("3.27", printed_D_epi, epi_inertia.det())
-check("3.28", [w_di + r_p / r_r * w_3p, w_di - r_p / r_s * w_3p], [(S_epi * sp.Matrix([w_di, w_3p]))[k] for k in (1, 2)])
+check(
+    "3.28", [w_di + r_p / r_r * w_3p, w_di - r_p / r_s * w_3p], [(S_epi * sp.Matrix([w_di, w_3p]))[k] for k in (1, 2)]
+)
 
 # %% [markdown]
 # The same two findings from another side: the friction matrix is the inverse of the reduced
@@ -220,7 +256,9 @@ check("3.24 corrected", epi_inertia + sp.Matrix([[0, I_pt], [I_pt, 0]]), inertia
 # %%
 epi_static = sp.solve(list(epi_torque), [T_do1, T_do2], dict=True)[0]
 g1, g2, g0 = r_r / (r_s + r_r), r_s / (r_s + r_r), r_r * r_s / (r_p * (r_r + r_s))
-check("3.29", [g1 * (T_di - T_dl) - g0 * T_dsl, g2 * (T_di - T_dl) + g0 * T_dsl], [epi_static[T_do1], epi_static[T_do2]])
+check(
+    "3.29", [g1 * (T_di - T_dl) - g0 * T_dsl, g2 * (T_di - T_dl) + g0 * T_dsl], [epi_static[T_do1], epi_static[T_do2]]
+)
 check("3.30", g0, -sp.diff(epi_static[T_do1], T_dsl))
 check("3.31", g1 * w_do1 + g2 * w_do2, sp.solve(list(epi_constraints), [w_di, w_3p], dict=True)[0][w_di])
 
@@ -257,10 +295,18 @@ check("3.33", [w_di + r_p / r_r * w_3p, w_di - r_p / r_s * w_3p], epi_c * sp.Mat
 T_cp, T_rp, T_sp = sp.symbols("T_cp T_rp T_sp", real=True)
 renaming = {T_di: T_cp, T_do1: -T_rp, T_do2: -T_sp, T_dl: 0, T_dsl: 0}
 planetary_acceleration = epi_acceleration.subs(renaming)
-printed_w_cp = ((T_cp + T_rp + T_sp) * I_pt + (T_cp + T_rp) * I_s * r_p**2 / r_s**2 + (T_cp + T_sp) * I_r * r_p**2 / r_r**2
-                + T_rp * I_s * r_p**2 / (r_r * r_s) + T_sp * I_r * r_p**2 / (r_r * r_s)) / printed_D_epi
-printed_w_pp = (T_cp * (I_s * r_p / r_s - I_r * r_p / r_r) + T_rp * (I_c * r_p / r_r + I_s * r_p / r_s + I_s * r_p / r_r)
-                - T_sp * (I_c * r_p / r_s + I_r * r_p / r_s + I_r * r_p / r_r)) / printed_D_epi
+printed_w_cp = (
+    (T_cp + T_rp + T_sp) * I_pt
+    + (T_cp + T_rp) * I_s * r_p**2 / r_s**2
+    + (T_cp + T_sp) * I_r * r_p**2 / r_r**2
+    + T_rp * I_s * r_p**2 / (r_r * r_s)
+    + T_sp * I_r * r_p**2 / (r_r * r_s)
+) / printed_D_epi
+printed_w_pp = (
+    T_cp * (I_s * r_p / r_s - I_r * r_p / r_r)
+    + T_rp * (I_c * r_p / r_r + I_s * r_p / r_s + I_s * r_p / r_r)
+    - T_sp * (I_c * r_p / r_s + I_r * r_p / r_s + I_r * r_p / r_r)
+) / printed_D_epi
 check("3.47", printed_w_cp, planetary_acceleration[0])
 check("3.48", printed_w_pp, planetary_acceleration[1])
 check("3.49", printed_D_epi, epi_inertia.det())
@@ -276,9 +322,17 @@ check("3.50", [w_di + r_p / r_r * w_3p, w_di - r_p / r_s * w_3p], (S_epi * epi_s
 # %%
 from beds import bed, machine, rates, rename, table
 
-gearbox_beds = {side: bed(["M1 - gearbox1 - M2"], machine("M1"), machine("M2"),
-                          table("gearbox1", "gearbox", ratio=3, inertia="2 kg m^2", inertia_side=side),
-                          torque={"M1": "gearbox1.input"}, speed=["M2"]) for side in ("input", "output")}
+gearbox_beds = {
+    side: bed(
+        ["M1 - gearbox1 - M2"],
+        machine("M1"),
+        machine("M2"),
+        table("gearbox1", "gearbox", ratio=3, inertia="2 kg m^2", inertia_side=side),
+        torque={"M1": "gearbox1.input"},
+        speed=["M2"],
+    )
+    for side in ("input", "output")
+}
 I_gb = sp.symbols("I_gb", positive=True)
 gear_names = {"M1_inertia": 0, "M2_inertia": 0, "gearbox1_ratio": i_gb, "gearbox1_inertia": I_gb}
 for side, gearbox_bed in gearbox_beds.items():
@@ -286,9 +340,11 @@ for side, gearbox_bed in gearbox_beds.items():
     print(side, model.coordinates)
     acceleration = rates(model, gear_names, [T_gbi, -T_gbo], [], [0])[0]
     acceleration_gbo = acceleration / i_gb  # the coordinate is the speed of M1, at the input
-    check("3.9" if side == "input" else "3.10",
-          (T_gbi - T_gbo / i_gb) / I_gb if side == "input" else (i_gb * T_gbi - T_gbo) / I_gb,
-          acceleration if side == "input" else acceleration_gbo)
+    check(
+        "3.9" if side == "input" else "3.10",
+        (T_gbi - T_gbo / i_gb) / I_gb if side == "input" else (i_gb * T_gbi - T_gbo) / I_gb,
+        acceleration if side == "input" else acceleration_gbo,
+    )
 
 # %% [markdown]
 # Bevel differential: the coordinates are those of the friction elements, omega_di and omega_3b.
@@ -297,37 +353,90 @@ for side, gearbox_bed in gearbox_beds.items():
 three = [machine("M1"), machine("M2"), machine("M3")]
 chains_of_three = ["M1 - diff.input", "diff.output1 - M2", "diff.output2 - M3"]
 friction = {"loss": {"coulomb": "1 N m"}, "limited_slip": {"coulomb": "1 N m"}}
-bevel_bed = bed(chains_of_three, *three,
-                table("diff", "bevel_differential", ratio=3, radius_output1="40 mm", radius_output2="50 mm",
-                      radius_pinion="30 mm", inertia_drive="0.1 kg m^2", inertia_cage="0.2 kg m^2",
-                      inertia_output1="0.3 kg m^2", inertia_output2="0.4 kg m^2", inertia_pinion="0.5 kg m^2", **friction),
-                torque={"M1": "diff.input"}, speed=["M2", "M3"])
+bevel_bed = bed(
+    chains_of_three,
+    *three,
+    table(
+        "diff",
+        "bevel_differential",
+        ratio=3,
+        radius_output1="40 mm",
+        radius_output2="50 mm",
+        radius_pinion="30 mm",
+        inertia_drive="0.1 kg m^2",
+        inertia_cage="0.2 kg m^2",
+        inertia_output1="0.3 kg m^2",
+        inertia_output2="0.4 kg m^2",
+        inertia_pinion="0.5 kg m^2",
+        **friction,
+    ),
+    torque={"M1": "diff.input"},
+    speed=["M2", "M3"],
+)
 print(bevel_bed.model.coordinates)
-no_machines = {"M1_inertia": 0, "M2_inertia": 0, "M3_inertia": 0,
-               "diff_loss_viscous": 0, "diff_limited_slip_viscous": 0}
-bevel_names = no_machines | {"diff_ratio": i_d, "diff_radius_output1": r1, "diff_radius_output2": r2,
-                             "diff_radius_pinion": r3, "diff_inertia_drive": I0, "diff_inertia_cage": I_c,
-                             "diff_inertia_output1": I1, "diff_inertia_output2": I2, "diff_inertia_pinion": I3}
+no_machines = {
+    "M1_inertia": 0,
+    "M2_inertia": 0,
+    "M3_inertia": 0,
+    "diff_loss_viscous": 0,
+    "diff_limited_slip_viscous": 0,
+}
+bevel_names = no_machines | {
+    "diff_ratio": i_d,
+    "diff_radius_output1": r1,
+    "diff_radius_output2": r2,
+    "diff_radius_pinion": r3,
+    "diff_inertia_drive": I0,
+    "diff_inertia_cage": I_c,
+    "diff_inertia_output1": I1,
+    "diff_inertia_output2": I2,
+    "diff_inertia_pinion": I3,
+}
 of_bevel = rates(bevel_bed.model, bevel_names, [T_di, -T_do1, -T_do2], [T_dl, T_dsl], [w_di, w_3b])
 whole = {I_d: I_c + i_d**2 * I0}
 check("3.16", (printed_w_di / printed_D_c).subs(whole), of_bevel[0])
 check("3.17", (printed_w_3b / printed_D_c).subs(whole), of_bevel[1])
 check("3.18", printed_D_c.subs(whole), rename(bevel_bed.model.mass, bevel_names).det() * i_d**2)
-check("3.19", [w_di / i_d + r3 / r1 * w_3b, w_di / i_d - r3 / r2 * w_3b],
-      [(rename(bevel_bed.model.velocity_rows[f"diff.output{k}"], bevel_names) * sp.Matrix([w_di, w_3b]))[0] for k in (1, 2)])
+check(
+    "3.19",
+    [w_di / i_d + r3 / r1 * w_3b, w_di / i_d - r3 / r2 * w_3b],
+    [
+        (rename(bevel_bed.model.velocity_rows[f"diff.output{k}"], bevel_names) * sp.Matrix([w_di, w_3b]))[0]
+        for k in (1, 2)
+    ],
+)
 
 # %% [markdown]
 # Epicyclic differential. ptgen gives the corrected (3.25).
 
 # %%
-epicyclic_bed = bed(chains_of_three, *three,
-                    table("diff", "epicyclic_differential", radius_ring="90 mm", radius_sun="40 mm", planets=3,
-                          inertia_carrier="0.1 kg m^2", inertia_ring="0.2 kg m^2", inertia_sun="0.3 kg m^2",
-                          inertia_planet="0.01 kg m^2", **friction),
-                    torque={"M1": "diff.input"}, speed=["M2", "M3"])
-epi_names = no_machines | {"diff_radius_ring": r_s + 2 * r_p, "diff_radius_sun": r_s, "diff_planets": n_p,
-                           "diff_inertia_carrier": I_c, "diff_inertia_ring": I_r, "diff_inertia_sun": I_s,
-                           "diff_inertia_planet": I_p}
+epicyclic_bed = bed(
+    chains_of_three,
+    *three,
+    table(
+        "diff",
+        "epicyclic_differential",
+        radius_ring="90 mm",
+        radius_sun="40 mm",
+        planets=3,
+        inertia_carrier="0.1 kg m^2",
+        inertia_ring="0.2 kg m^2",
+        inertia_sun="0.3 kg m^2",
+        inertia_planet="0.01 kg m^2",
+        **friction,
+    ),
+    torque={"M1": "diff.input"},
+    speed=["M2", "M3"],
+)
+epi_names = no_machines | {
+    "diff_radius_ring": r_s + 2 * r_p,
+    "diff_radius_sun": r_s,
+    "diff_planets": n_p,
+    "diff_inertia_carrier": I_c,
+    "diff_inertia_ring": I_r,
+    "diff_inertia_sun": I_s,
+    "diff_inertia_planet": I_p,
+}
 of_epicyclic = rates(epicyclic_bed.model, epi_names, [T_di, -T_do1, -T_do2], [T_dl, T_dsl], [w_di, w_3p])
 check("3.25 corrected", (corrected_epi_di / printed_D_epi).subs(geometry), of_epicyclic[0])
 erratum("3.25", (printed_epi_di / printed_D_epi).subs(geometry), of_epicyclic[0], "ptgen gives the corrected form")
@@ -338,7 +447,10 @@ check("3.27", printed_D_epi.subs(geometry), rename(epicyclic_bed.model.mass, epi
 # The friction rows and the mass matrix give the symmetric friction matrix of (3.32).
 
 # %%
-for system_bed, names, k in ((bevel_bed, bevel_names, bevel_k.subs({r0: r_c / i_d})), (epicyclic_bed, epi_names, epi_k)):
+for system_bed, names, k in (
+    (bevel_bed, bevel_names, bevel_k.subs({r0: r_c / i_d})),
+    (epicyclic_bed, epi_names, epi_k),
+):
     G, M = system_bed.model.friction_rows, rename(system_bed.model.mass, names)
     friction_matrix = (G * M.inv() * G.T).applyfunc(sp.cancel)
     check("3.32", k.subs(geometry) if system_bed is epicyclic_bed else k, friction_matrix)

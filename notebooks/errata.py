@@ -41,7 +41,12 @@ def rate(expression):
 
 difference = w_ci - w_co
 sticking = sp.solve(rate(difference), T_c)[0]
-erratum("4.2", T_ci - T_co, sticking, "the sticking clutch carries (Ico Tci + Ici Tco)/(Ici + Ico), no sum of external torques")
+erratum(
+    "4.2",
+    T_ci - T_co,
+    sticking,
+    "the sticking clutch carries (Ico Tci + Ici Tco)/(Ici + Ico), no sum of external torques",
+)
 printed_w0 = w_ci - Ico / (Ici + Ico) * w_co
 printed_4_16a = T_ci / (Ici + Ico) - T_co / (Ici + Ico)
 erratum("4.15", rate(printed_w0), printed_4_16a, "first row must be Ici/(Ici+Ico), Ico/(Ici+Ico) to give (4.16a)")
@@ -60,10 +65,16 @@ A_general = sp.Matrix(3, 3, sp.symbols("a:3:3"))
 K_general = sp.Matrix(3, 2, sp.symbols("k1:4(1:3)"))
 energy = (x_general.T * x_general)[0] / 2
 motion = A_general * x_general - K_general * T_general  # without input
-check("4.21", (x_general.T * A_general * x_general - x_general.T * K_general * T_general)[0],
-      (sp.Matrix([energy]).jacobian(x_general) * motion)[0])
-check("4.22", -(x_general[0:2, 0].T * K_general[0:2, :] * T_general)[0] - (x_general[2:, 0].T * K_general[2:, :] * T_general)[0],
-      -(x_general.T * K_general * T_general)[0])
+check(
+    "4.21",
+    (x_general.T * A_general * x_general - x_general.T * K_general * T_general)[0],
+    (sp.Matrix([energy]).jacobian(x_general) * motion)[0],
+)
+check(
+    "4.22",
+    -(x_general[0:2, 0].T * K_general[0:2, :] * T_general)[0] - (x_general[2:, 0].T * K_general[2:, :] * T_general)[0],
+    -(x_general.T * K_general * T_general)[0],
+)
 K22 = sp.Matrix([[sp.Rational(3, 2), -sp.Rational(1, 2)], [-sp.Rational(1, 2), sp.Rational(3, 2)]])
 x_example, T_example = sp.Matrix([sp.Rational(1, 10), 1]), sp.Matrix([10, 1])
 power_printed = -(x_example.T * K22 * T_example)[0]
@@ -123,8 +134,14 @@ check("4.32", [(k22 * X - k12 * Y) / det, (k11 * Y - k21 * X) / det], [both[t1],
 # %%
 corner = K22 * sp.Matrix([1, 1])
 at_corner = {k11: K22[0, 0], k12: K22[0, 1], k21: K22[1, 0], k22: K22[1, 1], m1: 1, m2: 1, X: corner[0]}
-print("(4.55) at the corner: printed", (k22 / k12 * X + det * m1 / k12).subs(at_corner), "corrected",
-      derived_4_55.subs(at_corner), "corner", corner[1])
+print(
+    "(4.55) at the corner: printed",
+    (k22 / k12 * X + det * m1 / k12).subs(at_corner),
+    "corrected",
+    derived_4_55.subs(at_corner),
+    "corner",
+    corner[1],
+)
 
 # %% [markdown]
 # Number of cases with three friction elements: each sticks or slides.
@@ -143,14 +160,20 @@ Ic1i, Ic1o, Ic2i, Ic2o = sp.symbols("Ic1i Ic1o Ic2i Ic2o", positive=True)
 T1, T2, Tc1, Tc2 = sp.symbols("T1 T2 Tc1 Tc2", real=True)
 d1, d2, d3 = (T1 - Tc1) / Ic1i, (Tc1 - Tc2) / (Ic1o + Ic2i), (T2 + Tc2) / Ic2o
 check("4.71a", T1 / Ic1i - (1 / Ic1i + 1 / (Ic1o + Ic2i)) * Tc1 + Tc2 / (Ic1o + Ic2i), d1 - d2)
-erratum("4.71", -T2 / Ic2o + Tc1 / (Ic1o + Ic2i) - (1 / (Ic1i + Ic2o) + 1 / Ic2o) * Tc2, d2 - d3,
-        "(4.71b): 1/(Ic1i + Ic2o) must be 1/(Ic1o + Ic2i)")
+erratum(
+    "4.71",
+    -T2 / Ic2o + Tc1 / (Ic1o + Ic2i) - (1 / (Ic1i + Ic2o) + 1 / Ic2o) * Tc2,
+    d2 - d3,
+    "(4.71b): 1/(Ic1i + Ic2o) must be 1/(Ic1o + Ic2i)",
+)
 check("4.71b corrected", -T2 / Ic2o + Tc1 / (Ic1o + Ic2i) - (1 / (Ic1o + Ic2i) + 1 / Ic2o) * Tc2, d2 - d3)
 Igbi, Igbo, igb1, igb2 = sp.symbols("Igbi Igbo igb1 igb2", positive=True)
 T_in, T_out = sp.symbols("T_in T_out", real=True)
 d_in, d_out = (T_in - Tc1 - Tc2) / Igbi, (igb1 * Tc1 + igb2 * Tc2 - T_out) / Igbo
-printed_4_75 = [T_in / Igbi + r * T_out / Igbo - Tc1 * (1 / Igbi + r * igb1 / Igbo) - Tc2 * (1 / Igbi + r * igb2 / Igbo)
-                for r in (igb1, igb2)]
+printed_4_75 = [
+    T_in / Igbi + r * T_out / Igbo - Tc1 * (1 / Igbi + r * igb1 / Igbo) - Tc2 * (1 / Igbi + r * igb2 / Igbo)
+    for r in (igb1, igb2)
+]
 check("4.75", printed_4_75, [d_in - igb1 * d_out, d_in - igb2 * d_out])
 
 # %% [markdown]
@@ -159,7 +182,8 @@ check("4.75", printed_4_75, [d_in - igb1 * d_out, d_in - igb2 * d_out])
 # %%
 s = sp.symbols("s")
 Im1, Im2, c, igb, kp1, ki1, kp2, ki2, d_des, g_w, g_T, kff = sp.symbols(
-    "Im1 Im2 c igb kp1 ki1 kp2 ki2 d_des gamma_w gamma_T kff", positive=True)
+    "Im1 Im2 c igb kp1 ki1 kp2 ki2 d_des gamma_w gamma_T kff", positive=True
+)
 w1, w2, dphi, lam_w, lam_T, r_w, r_T, v1 = sp.symbols("w1 w2 dphi lam_w lam_T r_w r_T v1", real=True)
 Ta1, Ta2 = sp.symbols("Ta1 Ta2", real=True)
 plant = sp.Matrix([-c * dphi / Im1 + Ta1 / Im1, igb * c * dphi / Im2 + Ta2 / Im2, w1 - igb * w2])
@@ -169,10 +193,21 @@ speed_law = v2 - g_w * igb * c * dphi
 x1 = [w1, w2, dphi, lam_w]
 loop1 = sp.Matrix([*plant.subs(Ta2, speed_law), ki2 * (r_w - w2)])
 A1 = loop1.jacobian(x1)
-check("5.104", sp.Matrix([[0, 0, -c / Im1, 0], [0, -kp2 / Im2, (1 - g_w) * igb * c / Im2, 1 / Im2], [1, -igb, 0, 0], [0, -ki2, 0, 0]]), A1)
+check(
+    "5.104",
+    sp.Matrix(
+        [[0, 0, -c / Im1, 0], [0, -kp2 / Im2, (1 - g_w) * igb * c / Im2, 1 / Im2], [1, -igb, 0, 0], [0, -ki2, 0, 0]]
+    ),
+    A1,
+)
 check("5.104", sp.Matrix([[1 / Im1, 0], [0, kp2 / Im2], [0, 0], [0, ki2]]), loop1.jacobian([Ta1, r_w]))
-printed_5_105 = (s**4 + kp2 / Im2 * s**3 + (ki2 / Im2 + c / Im1 + (1 - g_w) * igb**2 * c / Im2) * s**2
-                 + c * kp2 / (Im1 * Im2) * s + c * ki2 / (Im1 * Im2))
+printed_5_105 = (
+    s**4
+    + kp2 / Im2 * s**3
+    + (ki2 / Im2 + c / Im1 + (1 - g_w) * igb**2 * c / Im2) * s**2
+    + c * kp2 / (Im1 * Im2) * s
+    + c * ki2 / (Im1 * Im2)
+)
 check("5.105", printed_5_105, A1.charpoly(s).as_expr())
 check("5.106", (s**2 + c / Im1) * (s**2 + kp2 / Im2 * s + ki2 / Im2), printed_5_105.subs(g_w, 1))
 _, b3, b2, b1, b0 = sp.Poly(printed_5_105.subs(g_w, 0), s).all_coeffs()
@@ -182,20 +217,36 @@ check("5.105 Hurwitz", c**2 * igb**2 * kp2**2 / (Im1 * Im2**3), sp.expand(b3 * b
 # (5.107) uses v2/Im2, (5.108) has the entry that results from d(omega_2)/dt as in (5.62).
 
 # %%
-printed_A_tilde = sp.Matrix([
-    [-d_des / Im1, igb * d_des / Im1 - g_T * igb * kp2 / Im2, g_T * (1 - g_w) * igb**2 * c / Im2 - c / Im1, g_T * igb / Im2],
-    [0, -kp2 / Im2, (1 - g_w) * igb * c / Im2, 1 / Im2], [1, -igb, 0, 0], [0, -ki2, 0, 0]])
+printed_A_tilde = sp.Matrix(
+    [
+        [
+            -d_des / Im1,
+            igb * d_des / Im1 - g_T * igb * kp2 / Im2,
+            g_T * (1 - g_w) * igb**2 * c / Im2 - c / Im1,
+            g_T * igb / Im2,
+        ],
+        [0, -kp2 / Im2, (1 - g_w) * igb * c / Im2, 1 / Im2],
+        [1, -igb, 0, 0],
+        [0, -ki2, 0, 0],
+    ]
+)
 law_printed = v1 - d_des * (w1 - igb * w2) + g_T * igb * Im1 * v2 / Im2
 law_acceleration = v1 - d_des * (w1 - igb * w2) + g_T * igb * Im1 * loop1[1]
 from_printed = loop1.subs(Ta1, law_printed).jacobian(x1)
 from_acceleration = loop1.subs(Ta1, law_acceleration).jacobian(x1)
-erratum("5.107", from_printed, printed_A_tilde, "with v2/Im2 the matrix (5.108) does not result; it needs d(omega_2)/dt")
+erratum(
+    "5.107", from_printed, printed_A_tilde, "with v2/Im2 the matrix (5.108) does not result; it needs d(omega_2)/dt"
+)
 check("5.108", printed_A_tilde, from_acceleration)
 factored = (s**2 + d_des / Im1 * s + c / Im1) * (s**2 + kp2 / Im2 * s + ki2 / Im2)
 check("5.109", factored, printed_A_tilde.subs(g_w, 1).charpoly(s).as_expr())
 check("5.109", factored, printed_A_tilde.subs(g_T, 1).charpoly(s).as_expr())
-erratum("5.109", factored, from_printed.subs({g_T: 1, g_w: 0}).charpoly(s).as_expr(),
-        "with the law (5.107) as printed, gamma_T = 1 alone does not factorise")
+erratum(
+    "5.109",
+    factored,
+    from_printed.subs({g_T: 1, g_w: 0}).charpoly(s).as_expr(),
+    "with the law (5.107) as printed, gamma_T = 1 alone does not factorise",
+)
 check("5.110", kp2**2 / (4 * Im2), sp.solve(sp.discriminant(s**2 + kp2 / Im2 * s + ki2 / Im2, s), ki2)[0])
 
 # %%
@@ -203,13 +254,27 @@ x2 = [*x1, lam_T]
 torque_law = kff * r_T + kp1 * (r_T - c * dphi) + lam_T
 loop2 = sp.Matrix([*loop1.subs(Ta1, law_acceleration).subs(v1, torque_law), ki1 * (r_T - c * dphi)])
 A2 = loop2.jacobian(x2)
-printed_A2 = sp.Matrix([
-    [-d_des / Im1, igb * d_des / Im1 - g_T * igb * kp2 / Im2,
-     g_T * (1 - g_w) * igb**2 * c / Im2 - c / Im1 - kp1 * c / Im1, g_T * igb / Im2, 1 / Im1],
-    [0, -kp2 / Im2, (1 - g_w) * igb * c / Im2, 1 / Im2, 0], [1, -igb, 0, 0, 0], [0, -ki2, 0, 0, 0], [0, 0, -ki1 * c, 0, 0]])
+printed_A2 = sp.Matrix(
+    [
+        [
+            -d_des / Im1,
+            igb * d_des / Im1 - g_T * igb * kp2 / Im2,
+            g_T * (1 - g_w) * igb**2 * c / Im2 - c / Im1 - kp1 * c / Im1,
+            g_T * igb / Im2,
+            1 / Im1,
+        ],
+        [0, -kp2 / Im2, (1 - g_w) * igb * c / Im2, 1 / Im2, 0],
+        [1, -igb, 0, 0, 0],
+        [0, -ki2, 0, 0, 0],
+        [0, 0, -ki1 * c, 0, 0],
+    ]
+)
 check("5.113", printed_A2, A2)
-check("5.113", sp.Matrix([[(kff + kp1) / Im1, g_T * igb * kp2 / Im2], [0, kp2 / Im2], [0, 0], [0, ki2], [ki1, 0]]),
-      loop2.jacobian([r_T, r_w]))
+check(
+    "5.113",
+    sp.Matrix([[(kff + kp1) / Im1, g_T * igb * kp2 / Im2], [0, kp2 / Im2], [0, 0], [0, ki2], [ki1, 0]]),
+    loop2.jacobian([r_T, r_w]),
+)
 cubic = s**3 + d_des / Im1 * s**2 + (c / Im1 + kp1 * c / Im1) * s + ki1 * c / Im1
 for active in ({g_w: 1}, {g_T: 1}):
     check("5.114", cubic * (s**2 + kp2 / Im2 * s + ki2 / Im2), printed_A2.subs(active).charpoly(s).as_expr())

@@ -133,7 +133,11 @@ first_at_rest = np.stack([np.zeros(COUNT), speed[:, 1]], -1)
 found, left = solve_box(h * K, first_at_rest + h * xy, m)
 holding = (x - k12 * m2 * np.sign(speed[:, 1])) / k11
 check("4.28", wrong(found[:, 1], m2 * np.sign(speed[:, 1]), m2), 0)
-check("4.29", wrong(found[:, 0][abs(holding) < m1], holding[abs(holding) < m1], (abs(x) / k11 + m1)[abs(holding) < m1] * 1e2), 0)
+check(
+    "4.29",
+    wrong(found[:, 0][abs(holding) < m1], holding[abs(holding) < m1], (abs(x) / k11 + m1)[abs(holding) < m1] * 1e2),
+    0,
+)
 check("4.30", wrong(found[:, 0], np.clip(holding, -m1, m1), (abs(x) / k11 + m1) * 1e2), 0)
 check("4.31", int(np.sum(left[:, 0][abs(found[:, 0]) < m1] != 0)), 0)
 
@@ -152,9 +156,17 @@ def one(w):
 
 check("4.8", wrong(one(w0 + h * force)[0], limit * np.sign(w0), limit), 0)
 at_rest, moved = one(h * force)
-check("4.10", wrong(at_rest[abs(force / k) < limit], (force / k)[abs(force / k) < limit], limit[abs(force / k) < limit]), 0)
+check(
+    "4.10",
+    wrong(at_rest[abs(force / k) < limit], (force / k)[abs(force / k) < limit], limit[abs(force / k) < limit]),
+    0,
+)
 check("4.11", wrong(at_rest, np.where(abs(force / k) <= limit, force / k, limit * np.sign(force / k)), limit), 0)
-check("4.12", wrong(moved, np.where(abs(force / k) <= limit, 0, h * (force - k * limit * np.sign(force))), h * k * limit), 0)
+check(
+    "4.12",
+    wrong(moved, np.where(abs(force / k) <= limit, 0, h * (force - k * limit * np.sign(force))), h * k * limit),
+    0,
+)
 
 # %% [markdown]
 # ## Clipping is not enough

@@ -35,6 +35,9 @@ const back_to_back_controller_params back_to_back_controller_defaults = {
     .M1_torque_integral_gain = 15.0,
     .M1_damping_reserve = 0.1,
     .M1_torque_integral_limit = 1520.0,
+    .M1_model_stiffness = 28478.7,
+    .M1_model_damping = 754.702,
+    .M1_torque_model = 1.0,
 };
 
 const back_to_back_controller_params back_to_back_controller_conventional = {
@@ -63,6 +66,9 @@ const back_to_back_controller_params back_to_back_controller_conventional = {
     .M1_torque_integral_gain = 1.44222,
     .M1_damping_reserve = 0.1,
     .M1_torque_integral_limit = 1520.0,
+    .M1_model_stiffness = 28478.7,
+    .M1_model_damping = 754.702,
+    .M1_torque_model = 0.0,
 };
 
 /* Range of each parameter; `open` excludes the lower bound. The order is that of the status codes. */
@@ -99,6 +105,9 @@ static const struct {
     { "the parameter M1_torque_integral_gain is outside its range", offsetof(back_to_back_controller_params, M1_torque_integral_gain), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M1_damping_reserve is outside its range", offsetof(back_to_back_controller_params, M1_damping_reserve), 0.0, 1.0, 0, 0 },
     { "the parameter M1_torque_integral_limit is outside its range", offsetof(back_to_back_controller_params, M1_torque_integral_limit), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter M1_model_stiffness is outside its range", offsetof(back_to_back_controller_params, M1_model_stiffness), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter M1_model_damping is outside its range", offsetof(back_to_back_controller_params, M1_model_damping), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter M1_torque_model is outside its range", offsetof(back_to_back_controller_params, M1_torque_model), 0.0, 1.0, 0, 0 },
 };
 
 enum { limit_count = sizeof limits / sizeof limits[0] };
@@ -197,7 +206,12 @@ back_to_back_controller_status back_to_back_controller_step(back_to_back_control
     /* testing torque from the sensors (5.95), (5.98) */
     const back_to_back_real flange1_torque_estimate =
         p->M1_sensor_inertia_M2*M2_virtual*p->load_compensation/p->M2_inertia + s->flange1_torque_held;
-    const back_to_back_real M1_torque_error = -flange1_torque_estimate + s->flange1_torque_ref_held;
+    /* torque model (5.57), (5.76) */
+    s->M1_model_rate = s->M1_model_rate + p->sample_time*(-p->M1_model_damping*s->M1_model_rate +
+        p->M1_model_stiffness*(-s->M1_model_torque + s->flange1_torque_ref_held))/p->M1_inertia_estimate;
+    s->M1_model_torque = s->M1_model_rate*p->sample_time + s->M1_model_torque;
+    const back_to_back_real M1_torque_error = s->M1_model_torque*p->M1_torque_model - flange1_torque_estimate +
+        s->flange1_torque_ref_held*(1.0 - p->M1_torque_model);
     /* torque control (5.99) */
     const back_to_back_real M1_virtual = p->M1_feedforward*s->flange1_torque_ref_held +
         M1_torque_error*p->M1_torque_gain + s->M1_torque_integral;

@@ -36,6 +36,9 @@ typedef struct {
     back_to_back_real M1_torque_integral_gain; /* integral gain of the torque control of M1 (1/s) */
     back_to_back_real M1_damping_reserve; /* share of the torque of M1 kept for damping */
     back_to_back_real M1_torque_integral_limit; /* limit of the torque integrator of M1 (N m) */
+    back_to_back_real M1_model_stiffness; /* stiffness in the torque model of M1 (N m/rad) */
+    back_to_back_real M1_model_damping; /* damping in the torque model of M1 (N m s/rad) */
+    back_to_back_real M1_torque_model; /* switch of the torque model of M1, 0 to 1 */
 } back_to_back_controller_params;
 
 /* Inputs of a step. */
@@ -65,6 +68,8 @@ typedef struct {
     back_to_back_real M2_speed_held; /* last sound value of M2_speed (rad/s) */
     back_to_back_real M2_speed_integral; /* integrator of the speed control of M2 (N m) */
     back_to_back_real M1_torque_integral; /* integrator of the torque control of M1 (N m) */
+    back_to_back_real M1_model_torque; /* torque that the feedforward to M1 should give (N m) */
+    back_to_back_real M1_model_rate; /* rate of the torque model of M1 (N m/s) */
     back_to_back_real authority; /* 1, going to 0 along the ramp after a fault */
     back_to_back_real M1_last; /* last torque of M1 before a fault (N m) */
     back_to_back_real M2_last; /* last torque of M2 before a fault (N m) */
@@ -104,6 +109,9 @@ typedef enum {
     back_to_back_controller_bad_M1_torque_integral_gain = 2022, /* outside its range */
     back_to_back_controller_bad_M1_damping_reserve = 2023, /* outside its range */
     back_to_back_controller_bad_M1_torque_integral_limit = 2024, /* outside its range */
+    back_to_back_controller_bad_M1_model_stiffness = 2025, /* outside its range */
+    back_to_back_controller_bad_M1_model_damping = 2026, /* outside its range */
+    back_to_back_controller_bad_M1_torque_model = 2027, /* outside its range */
 } back_to_back_controller_status;
 
 extern const back_to_back_controller_params back_to_back_controller_defaults;

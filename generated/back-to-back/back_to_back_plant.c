@@ -99,11 +99,11 @@ back_to_back_plant_status back_to_back_plant_update(back_to_back_plant_state *s,
     memset(s->transition, 0, sizeof s->transition);
     back_to_back_real mass[4][4];
     back_to_back_real forces[9][4];
-    back_to_back_real A[11][10];
+    back_to_back_real A[11][12];
     back_to_back_real scale[12];
-    back_to_back_real whole[11][10];
-    back_to_back_real late[11][10];
-    back_to_back_real early[11][10];
+    back_to_back_real whole[11][12];
+    back_to_back_real late[11][12];
+    back_to_back_real early[11][12];
     back_to_back_real rates[9][4];
     back_to_back_zero(sizeof mass, mass);
     back_to_back_zero(sizeof forces, forces);
@@ -141,7 +141,7 @@ back_to_back_plant_status back_to_back_plant_update(back_to_back_plant_state *s,
     if (!back_to_back_cholesky_solve(4, 9, &mass[0][0], &forces[0][0], &rates[0][0])) {
         return back_to_back_plant_mass_matrix;
     }
-    back_to_back_insert(4, 10, 4, 0, 0, 0, 7, &A[0][0], &rates[0][0]);
+    back_to_back_insert(4, 12, 4, 0, 0, 0, 7, &A[0][0], &rates[0][0]);
     /* de/dt = E z */
     A[0][4] = 1.0;
     A[2][4] = -1.0;
@@ -149,11 +149,11 @@ back_to_back_plant_status back_to_back_plant_update(back_to_back_plant_state *s,
     A[3][5] = -1.0;
     A[1][6] = 1.0;
     A[3][6] = -1.0;
-    back_to_back_insert(4, 10, 4, 0, 7, 7, 1, &A[0][0], &rates[0][0]);
+    back_to_back_insert(4, 12, 4, 0, 7, 7, 1, &A[0][0], &rates[0][0]);
     /* lag of the torque loop */
     A[7][7] = -1.0/p->M1_inverter_time_constant;
     A[9][7] = 1.0/p->M1_inverter_time_constant;
-    back_to_back_insert(4, 10, 4, 0, 8, 8, 1, &A[0][0], &rates[0][0]);
+    back_to_back_insert(4, 12, 4, 0, 8, 8, 1, &A[0][0], &rates[0][0]);
     A[8][8] = -1.0/p->M2_inverter_time_constant;
     A[10][8] = 1.0/p->M2_inverter_time_constant;
     scale[0] = 1.0;
@@ -171,7 +171,7 @@ back_to_back_plant_status back_to_back_plant_update(back_to_back_plant_state *s,
     if (!back_to_back_discretise(9, 11, 5, &A[0][0], scale, p->sample_time, &whole[0][0])) {
         return back_to_back_plant_exponential_range;
     }
-    back_to_back_insert(9, 10, 10, 0, 0, 0, 9, &s->transition[0][0], &whole[0][0]);
+    back_to_back_insert(9, 12, 12, 0, 0, 0, 9, &s->transition[0][0], &whole[0][0]);
     /* dead time = (d + f) h */
     s->M1_dead_steps = back_to_back_floor(p->M1_inverter_dead_time/p->sample_time + 1e-06);
     /* the late command acts for (1 - f) h */
@@ -181,8 +181,8 @@ back_to_back_plant_status back_to_back_plant_update(back_to_back_plant_state *s,
         return back_to_back_plant_exponential_range;
     }
     back_to_back_difference(9, 11, &whole[0][0], &late[0][0], &early[0][0]);
-    back_to_back_insert(9, 10, 10, 0, 9, 9, 1, &s->transition[0][0], &late[0][0]);
-    back_to_back_insert(9, 10, 10, 0, 11, 9, 1, &s->transition[0][0], &early[0][0]);
+    back_to_back_insert(9, 12, 12, 0, 9, 9, 1, &s->transition[0][0], &late[0][0]);
+    back_to_back_insert(9, 12, 12, 0, 11, 9, 1, &s->transition[0][0], &early[0][0]);
     /* dead time = (d + f) h */
     s->M2_dead_steps = back_to_back_floor(p->M2_inverter_dead_time/p->sample_time + 1e-06);
     /* the late command acts for (1 - f) h */
@@ -192,8 +192,8 @@ back_to_back_plant_status back_to_back_plant_update(back_to_back_plant_state *s,
         return back_to_back_plant_exponential_range;
     }
     back_to_back_difference(9, 11, &whole[0][0], &late[0][0], &early[0][0]);
-    back_to_back_insert(9, 10, 10, 0, 10, 10, 1, &s->transition[0][0], &late[0][0]);
-    back_to_back_insert(9, 10, 10, 0, 12, 10, 1, &s->transition[0][0], &early[0][0]);
+    back_to_back_insert(9, 12, 12, 0, 10, 10, 1, &s->transition[0][0], &late[0][0]);
+    back_to_back_insert(9, 12, 12, 0, 12, 10, 1, &s->transition[0][0], &early[0][0]);
     return back_to_back_plant_ok;
 }
 
@@ -216,7 +216,7 @@ back_to_back_plant_status back_to_back_plant_step(back_to_back_plant_state *s, c
     if (!back_to_back_is_finite(in->M2_torque_ref)) {
         return back_to_back_plant_bad_input;
     }
-    back_to_back_real x_free[10];
+    back_to_back_real x_free[12];
     back_to_back_zero(sizeof x_free, x_free);
     
     /* torque-speed envelope, Figure 7.1 */

@@ -50,7 +50,7 @@ typedef struct {
 
 /* States first, then what follows from the parameters. Matrices are stored by columns. */
 typedef struct {
-    back_to_back_real x[14]; /* velocities, twists, air-gap torques; then the commands that act late and early: */
+    back_to_back_real x[16]; /* velocities, twists, air-gap torques; then the commands that act late and early: */
     /*   [0] velocity of M1.shaft (rad/s) */
     /*   [1] velocity of M2.shaft (rad/s) */
     /*   [2] velocity of flange1.uut (rad/s) */
@@ -66,7 +66,7 @@ typedef struct {
     /*   [12] early command to M2 (N m) */
     back_to_back_real M1_delay[16]; /* commands to M1 of past steps (N m) */
     back_to_back_real M2_delay[16]; /* commands to M2 of past steps (N m) */
-    back_to_back_real transition[13][10]; /* x at the end of the step without friction torques */
+    back_to_back_real transition[13][12]; /* x at the end of the step without friction torques */
     back_to_back_real M1_dead_steps; /* whole steps of dead time */
     back_to_back_real M2_dead_steps; /* whole steps of dead time */
 } back_to_back_plant_state;

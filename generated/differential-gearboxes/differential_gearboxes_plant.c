@@ -417,9 +417,9 @@ differential_gearboxes_plant_status differential_gearboxes_plant_step(differenti
         return differential_gearboxes_plant_bad_input;
     }
     differential_gearboxes_real x_free[24];
-    differential_gearboxes_real w_free[2];
-    differential_gearboxes_real w_plus[2];
-    differential_gearboxes_real capacity[2];
+    differential_gearboxes_real w_free[4];
+    differential_gearboxes_real w_plus[4];
+    differential_gearboxes_real capacity[4];
     differential_gearboxes_zero(sizeof x_free, x_free);
     differential_gearboxes_zero(sizeof w_free, w_free);
     differential_gearboxes_zero(sizeof w_plus, w_plus);

@@ -95,7 +95,7 @@ typedef struct {
 
 /* States first, then what follows from the parameters. Matrices are stored by columns. */
 typedef struct {
-    differential_gearboxes_real x[30]; /* velocities, twists, air-gap torques; then the commands that act late and early: */
+    differential_gearboxes_real x[32]; /* velocities, twists, air-gap torques; then the commands that act late and early: */
     /*   [0] velocity of diff.input (rad/s) */
     /*   [1] velocity of diff.pinion (rad/s) */
     /*   [2] velocity of M1.shaft (rad/s) */
@@ -128,7 +128,7 @@ typedef struct {
     differential_gearboxes_real M1_delay[16]; /* commands to M1 of past steps (N m) */
     differential_gearboxes_real M2_delay[16]; /* commands to M2 of past steps (N m) */
     differential_gearboxes_real M3_delay[16]; /* commands to M3 of past steps (N m) */
-    differential_gearboxes_real friction_torque[2]; /* friction torques of the last step (N m): */
+    differential_gearboxes_real friction_torque[4]; /* friction torques of the last step (N m): */
     /*   [0] diff.loss */
     /*   [1] diff.limited_slip */
     differential_gearboxes_real transition[29][24]; /* x at the end of the step without friction torques */
@@ -136,7 +136,7 @@ typedef struct {
     differential_gearboxes_real M2_dead_steps; /* whole steps of dead time */
     differential_gearboxes_real M3_dead_steps; /* whole steps of dead time */
     differential_gearboxes_real gamma_f[2][24]; /* x at the end of the step per friction torque */
-    differential_gearboxes_real K[2][2]; /* friction velocities lost per friction torque (rad/(N m s)) */
+    differential_gearboxes_real K[2][4]; /* friction velocities lost per friction torque (rad/(N m s)) */
 } differential_gearboxes_plant_state;
 
 typedef enum {

@@ -45,6 +45,9 @@ const differential_controller_params differential_controller_defaults = {
     .M1_torque_integral_gain = 20.0,
     .M1_damping_reserve = 0.1,
     .M1_torque_integral_limit = 465.0,
+    .M1_model_stiffness = 16537.8,
+    .M1_model_damping = 261.282,
+    .M1_torque_model = 1.0,
 };
 
 const differential_controller_params differential_controller_conventional = {
@@ -83,6 +86,9 @@ const differential_controller_params differential_controller_conventional = {
     .M1_torque_integral_gain = 0.275388,
     .M1_damping_reserve = 0.1,
     .M1_torque_integral_limit = 465.0,
+    .M1_model_stiffness = 16537.8,
+    .M1_model_damping = 261.282,
+    .M1_torque_model = 0.0,
 };
 
 /* Range of each parameter; `open` excludes the lower bound. The order is that of the status codes. */
@@ -129,6 +135,9 @@ static const struct {
     { "the parameter M1_torque_integral_gain is outside its range", offsetof(differential_controller_params, M1_torque_integral_gain), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M1_damping_reserve is outside its range", offsetof(differential_controller_params, M1_damping_reserve), 0.0, 1.0, 0, 0 },
     { "the parameter M1_torque_integral_limit is outside its range", offsetof(differential_controller_params, M1_torque_integral_limit), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter M1_model_stiffness is outside its range", offsetof(differential_controller_params, M1_model_stiffness), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter M1_model_damping is outside its range", offsetof(differential_controller_params, M1_model_damping), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter M1_torque_model is outside its range", offsetof(differential_controller_params, M1_torque_model), 0.0, 1.0, 0, 0 },
 };
 
 enum { limit_count = sizeof limits / sizeof limits[0] };
@@ -260,7 +269,12 @@ differential_controller_status differential_controller_step(differential_control
     const differential_real diff_input_torque_estimate = s->flange1_torque_held +
         p->load_compensation*(p->M1_sensor_inertia_M2*M2_virtual/p->M2_inertia +
         p->M1_sensor_inertia_M3*M3_virtual/p->M3_inertia);
-    const differential_real M1_torque_error = -diff_input_torque_estimate + s->diff_input_torque_ref_held;
+    /* torque model (5.57), (5.76) */
+    s->M1_model_rate = s->M1_model_rate + p->sample_time*(-p->M1_model_damping*s->M1_model_rate +
+        p->M1_model_stiffness*(-s->M1_model_torque + s->diff_input_torque_ref_held))/p->M1_inertia_estimate;
+    s->M1_model_torque = s->M1_model_rate*p->sample_time + s->M1_model_torque;
+    const differential_real M1_torque_error = s->M1_model_torque*p->M1_torque_model - diff_input_torque_estimate +
+        s->diff_input_torque_ref_held*(1.0 - p->M1_torque_model);
     /* torque control (5.99) */
     const differential_real M1_virtual = p->M1_feedforward*s->diff_input_torque_ref_held +
         M1_torque_error*p->M1_torque_gain + s->M1_torque_integral;

@@ -46,6 +46,9 @@ typedef struct {
     differential_real M1_torque_integral_gain; /* integral gain of the torque control of M1 (1/s) */
     differential_real M1_damping_reserve; /* share of the torque of M1 kept for damping */
     differential_real M1_torque_integral_limit; /* limit of the torque integrator of M1 (N m) */
+    differential_real M1_model_stiffness; /* stiffness in the torque model of M1 (N m/rad) */
+    differential_real M1_model_damping; /* damping in the torque model of M1 (N m s/rad) */
+    differential_real M1_torque_model; /* switch of the torque model of M1, 0 to 1 */
 } differential_controller_params;
 
 /* Inputs of a step. */
@@ -83,6 +86,8 @@ typedef struct {
     differential_real M2_speed_integral; /* integrator of the speed control of M2 (N m) */
     differential_real M3_speed_integral; /* integrator of the speed control of M3 (N m) */
     differential_real M1_torque_integral; /* integrator of the torque control of M1 (N m) */
+    differential_real M1_model_torque; /* torque that the feedforward to M1 should give (N m) */
+    differential_real M1_model_rate; /* rate of the torque model of M1 (N m/s) */
     differential_real authority; /* 1, going to 0 along the ramp after a fault */
     differential_real M1_last; /* last torque of M1 before a fault (N m) */
     differential_real M2_last; /* last torque of M2 before a fault (N m) */
@@ -136,6 +141,9 @@ typedef enum {
     differential_controller_bad_M1_torque_integral_gain = 2032, /* outside its range */
     differential_controller_bad_M1_damping_reserve = 2033, /* outside its range */
     differential_controller_bad_M1_torque_integral_limit = 2034, /* outside its range */
+    differential_controller_bad_M1_model_stiffness = 2035, /* outside its range */
+    differential_controller_bad_M1_model_damping = 2036, /* outside its range */
+    differential_controller_bad_M1_torque_model = 2037, /* outside its range */
 } differential_controller_status;
 
 extern const differential_controller_params differential_controller_defaults;

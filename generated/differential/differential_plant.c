@@ -149,11 +149,11 @@ differential_plant_status differential_plant_update(differential_plant_state *s,
     memset(s->K, 0, sizeof s->K);
     differential_real mass[8][8];
     differential_real forces[19][8];
-    differential_real A[22][18];
-    differential_real scale[22];
-    differential_real whole[22][18];
-    differential_real late[22][18];
-    differential_real early[22][18];
+    differential_real A[22][20];
+    differential_real scale[24];
+    differential_real whole[22][20];
+    differential_real late[22][20];
+    differential_real early[22][20];
     differential_real rates[19][8];
     differential_zero(sizeof mass, mass);
     differential_zero(sizeof forces, forces);
@@ -226,7 +226,7 @@ differential_plant_status differential_plant_update(differential_plant_state *s,
     if (!differential_cholesky_solve(8, 19, &mass[0][0], &forces[0][0], &rates[0][0])) {
         return differential_plant_mass_matrix;
     }
-    differential_insert(8, 18, 8, 0, 0, 0, 14, &A[0][0], &rates[0][0]);
+    differential_insert(8, 20, 8, 0, 0, 0, 14, &A[0][0], &rates[0][0]);
     /* de/dt = E z */
     A[2][8] = 1.0;
     A[5][8] = -1.0;
@@ -242,17 +242,17 @@ differential_plant_status differential_plant_update(differential_plant_state *s,
     A[7][12] = -p->diff_ratio;
     A[4][13] = 1.0;
     A[7][13] = -1.0;
-    differential_insert(8, 18, 8, 0, 14, 14, 1, &A[0][0], &rates[0][0]);
+    differential_insert(8, 20, 8, 0, 14, 14, 1, &A[0][0], &rates[0][0]);
     /* lag of the torque loop */
     A[14][14] = -1.0/p->M1_inverter_time_constant;
     A[17][14] = 1.0/p->M1_inverter_time_constant;
-    differential_insert(8, 18, 8, 0, 15, 15, 1, &A[0][0], &rates[0][0]);
+    differential_insert(8, 20, 8, 0, 15, 15, 1, &A[0][0], &rates[0][0]);
     A[15][15] = -1.0/p->M2_inverter_time_constant;
     A[18][15] = 1.0/p->M2_inverter_time_constant;
-    differential_insert(8, 18, 8, 0, 16, 16, 1, &A[0][0], &rates[0][0]);
+    differential_insert(8, 20, 8, 0, 16, 16, 1, &A[0][0], &rates[0][0]);
     A[16][16] = -1.0/p->M3_inverter_time_constant;
     A[19][16] = 1.0/p->M3_inverter_time_constant;
-    differential_insert(8, 18, 8, 0, 20, 17, 2, &A[0][0], &rates[0][0]);
+    differential_insert(8, 20, 8, 0, 20, 17, 2, &A[0][0], &rates[0][0]);
     scale[0] = 1.0;
     scale[1] = 1.0;
     scale[2] = 1.0;
@@ -279,7 +279,7 @@ differential_plant_status differential_plant_update(differential_plant_state *s,
     if (!differential_discretise(17, 22, 5, &A[0][0], scale, p->sample_time, &whole[0][0])) {
         return differential_plant_exponential_range;
     }
-    differential_insert(17, 18, 18, 0, 0, 0, 17, &s->transition[0][0], &whole[0][0]);
+    differential_insert(17, 20, 20, 0, 0, 0, 17, &s->transition[0][0], &whole[0][0]);
     /* dead time = (d + f) h */
     s->M1_dead_steps = differential_floor(p->M1_inverter_dead_time/p->sample_time + 1e-06);
     /* the late command acts for (1 - f) h */
@@ -289,8 +289,8 @@ differential_plant_status differential_plant_update(differential_plant_state *s,
         return differential_plant_exponential_range;
     }
     differential_difference(17, 22, &whole[0][0], &late[0][0], &early[0][0]);
-    differential_insert(17, 18, 18, 0, 17, 17, 1, &s->transition[0][0], &late[0][0]);
-    differential_insert(17, 18, 18, 0, 20, 17, 1, &s->transition[0][0], &early[0][0]);
+    differential_insert(17, 20, 20, 0, 17, 17, 1, &s->transition[0][0], &late[0][0]);
+    differential_insert(17, 20, 20, 0, 20, 17, 1, &s->transition[0][0], &early[0][0]);
     /* dead time = (d + f) h */
     s->M2_dead_steps = differential_floor(p->M2_inverter_dead_time/p->sample_time + 1e-06);
     /* the late command acts for (1 - f) h */
@@ -300,8 +300,8 @@ differential_plant_status differential_plant_update(differential_plant_state *s,
         return differential_plant_exponential_range;
     }
     differential_difference(17, 22, &whole[0][0], &late[0][0], &early[0][0]);
-    differential_insert(17, 18, 18, 0, 18, 18, 1, &s->transition[0][0], &late[0][0]);
-    differential_insert(17, 18, 18, 0, 21, 18, 1, &s->transition[0][0], &early[0][0]);
+    differential_insert(17, 20, 20, 0, 18, 18, 1, &s->transition[0][0], &late[0][0]);
+    differential_insert(17, 20, 20, 0, 21, 18, 1, &s->transition[0][0], &early[0][0]);
     /* dead time = (d + f) h */
     s->M3_dead_steps = differential_floor(p->M3_inverter_dead_time/p->sample_time + 1e-06);
     /* the late command acts for (1 - f) h */
@@ -311,9 +311,9 @@ differential_plant_status differential_plant_update(differential_plant_state *s,
         return differential_plant_exponential_range;
     }
     differential_difference(17, 22, &whole[0][0], &late[0][0], &early[0][0]);
-    differential_insert(17, 18, 18, 0, 19, 19, 1, &s->transition[0][0], &late[0][0]);
-    differential_insert(17, 18, 18, 0, 22, 19, 1, &s->transition[0][0], &early[0][0]);
-    differential_insert(17, 18, 18, 0, 0, 20, 2, &s->gamma_f[0][0], &whole[0][0]);
+    differential_insert(17, 20, 20, 0, 19, 19, 1, &s->transition[0][0], &late[0][0]);
+    differential_insert(17, 20, 20, 0, 22, 19, 1, &s->transition[0][0], &early[0][0]);
+    differential_insert(17, 20, 20, 0, 0, 20, 2, &s->gamma_f[0][0], &whole[0][0]);
     /* K = -G Gamma_f */
     s->K[0][0] = -whole[20][0];
     s->K[1][0] = -whole[21][0];
@@ -357,10 +357,10 @@ differential_plant_status differential_plant_step(differential_plant_state *s, c
     if (!differential_is_finite(in->M3_torque_ref)) {
         return differential_plant_bad_input;
     }
-    differential_real x_free[18];
-    differential_real w_free[2];
-    differential_real w_plus[2];
-    differential_real capacity[2];
+    differential_real x_free[20];
+    differential_real w_free[4];
+    differential_real w_plus[4];
+    differential_real capacity[4];
     differential_zero(sizeof x_free, x_free);
     differential_zero(sizeof w_free, w_free);
     differential_zero(sizeof w_plus, w_plus);

@@ -109,15 +109,15 @@ typedef struct {
     differential_real M1_delay[16]; /* commands to M1 of past steps (N m) */
     differential_real M2_delay[16]; /* commands to M2 of past steps (N m) */
     differential_real M3_delay[16]; /* commands to M3 of past steps (N m) */
-    differential_real friction_torque[2]; /* friction torques of the last step (N m): */
+    differential_real friction_torque[4]; /* friction torques of the last step (N m): */
     /*   [0] diff.loss */
     /*   [1] diff.limited_slip */
-    differential_real transition[23][18]; /* x at the end of the step without friction torques */
+    differential_real transition[23][20]; /* x at the end of the step without friction torques */
     differential_real M1_dead_steps; /* whole steps of dead time */
     differential_real M2_dead_steps; /* whole steps of dead time */
     differential_real M3_dead_steps; /* whole steps of dead time */
-    differential_real gamma_f[2][18]; /* x at the end of the step per friction torque */
-    differential_real K[2][2]; /* friction velocities lost per friction torque (rad/(N m s)) */
+    differential_real gamma_f[2][20]; /* x at the end of the step per friction torque */
+    differential_real K[2][4]; /* friction velocities lost per friction torque (rad/(N m s)) */
 } differential_plant_state;
 
 typedef enum {

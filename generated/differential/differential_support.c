@@ -18,12 +18,10 @@ real differential_floor(real a) { return floor(a); }
 
 void differential_zero(size_t bytes, void *array) { memset(array, 0, bytes); }
 
-static int padded(int rows) { return rows + rows % 2; }
-
 /* Cholesky factor of the leading (n, n) part, lower triangle, in place. */
 static int factorise(int n, real *M)
 {
-    const int stride = padded(n);
+    const int stride = differential_padded(n);
     for (int j = 0; j < n; ++j) {
         real pivot = M[j * stride + j];
         for (int k = 0; k < j; ++k) {
@@ -47,7 +45,7 @@ static int factorise(int n, real *M)
 
 int differential_cholesky_solve(int n, int columns, real *M, const real *R, real *X)
 {
-    const int stride = padded(n);
+    const int stride = differential_padded(n);
     if (!factorise(n, M)) {
         return 0;
     }
@@ -75,7 +73,7 @@ int differential_cholesky_solve(int n, int columns, real *M, const real *R, real
 int differential_require_definite(int n, const real *K)
 {
     real copy[MAX_ORDER * MAX_ORDER];
-    memcpy(copy, K, sizeof(real) * (size_t)(n * padded(n)));
+    memcpy(copy, K, sizeof(real) * (size_t)(n * differential_padded(n)));
     return factorise(n, copy);
 }
 
@@ -91,7 +89,7 @@ void differential_insert(int rows, int target_stride, int source_stride, int row
 
 void differential_difference(int rows, int columns, const real *A, const real *B, real *C)
 {
-    const int count = padded(rows) * columns;
+    const int count = differential_padded(rows) * columns;
     for (int k = 0; k < count; ++k) {
         C[k] = A[k] - B[k];
     }
@@ -119,7 +117,7 @@ int differential_discretise(int n, int total, int squarings, const real *A, cons
     real X[MAX_ORDER * MAX_ORDER];
     real S[MAX_ORDER * MAX_ORDER];
     real P[MAX_ORDER * MAX_ORDER];
-    const int stride = padded(n);
+    const int stride = differential_padded(n);
     real factor = t;
     for (int k = 0; k < squarings; ++k) {
         factor *= REAL(0.5);
@@ -163,7 +161,8 @@ void differential_solve_box(int n, const real *K, const real *w, const real *m, 
         w_plus[0] = differential_abs(T[0]) < m[0] ? 0.0 : w[0] - K[0] * T[0];
         return;
     }
-    const real K11 = K[0], K21 = K[1], K12 = K[2], K22 = K[3];
+    const real *column2 = K + differential_padded(n);
+    const real K11 = K[0], K21 = K[1], K12 = column2[0], K22 = column2[1];
     const real t2 = differential_clamp((K11 * w[1] - K21 * w[0]) / (K11 * K22 - K12 * K21), m[1]);
     T[0] = differential_clamp((w[0] - K12 * t2) / K11, m[0]);
     T[1] = differential_clamp((w[1] - K21 * T[0]) / K22, m[1]);

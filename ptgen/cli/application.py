@@ -16,7 +16,7 @@ from ptgen.cli import code, queries, simulation
 from ptgen.cli.outcome import DEBUG, abandon_output, defect
 from ptgen.cli.output import prepare_streams
 
-__all__ = ["app", "main"]
+__all__ = ["app", "common", "main"]
 
 app = typer.Typer(
     name="ptgen",

@@ -22,7 +22,7 @@ import typer
 from ptgen.cli.output import print_json
 from ptgen.errors import PtgenError
 
-__all__ = ["DEBUG", "abandon_output", "reported"]
+__all__ = ["DEBUG", "abandon_output", "defect", "reported"]
 
 DEBUG = "PTGEN_DEBUG"
 """Environment variable; set to 1, unexpected exceptions show their traceback."""

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-import signal
-import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from types import FrameType
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -61,8 +58,7 @@ def simulate(
         show("compile")
         library = build(project)
         show("run")
-        with _stoppable(advance) as progress:
-            recording = run(project, course, controller=controller.value, library=library, progress=progress)
+        recording = run(project, course, controller=controller.value, library=library, progress=advance)
     if output is not None:
         recording.write_csv(output)
     if plot is not None:
@@ -102,41 +98,6 @@ def _progress(title: str) -> Iterator[tuple[Callable[[str], None], Callable[[flo
             bar.update(task, completed=share)
 
         yield show, advance
-
-
-@contextmanager
-def _stoppable(advance: Callable[[float], None]) -> Iterator[Callable[[float], None]]:
-    """Let Ctrl-C stop a run in C code at its next report.
-
-    Python would raise the interrupt wherever the report has got to, and C code above it would swallow it; so the
-    signal only leaves a note, which the report then turns into the interrupt.
-
-    Yields
-    ------
-    progress : callable
-        Does what `advance` does, or raises KeyboardInterrupt.
-    """
-    stopped = False
-
-    def note(number: int, frame: FrameType | None) -> None:
-        nonlocal stopped
-        stopped = True
-
-    def progress(share: float) -> None:
-        if stopped:
-            raise KeyboardInterrupt
-        advance(share)
-
-    if threading.current_thread() is not threading.main_thread():  # only there signals can be caught
-        yield progress
-        return
-    before = signal.signal(signal.SIGINT, note)
-    try:
-        yield progress
-    finally:
-        signal.signal(signal.SIGINT, before)
-    if stopped:  # after the last report
-        raise KeyboardInterrupt
 
 
 def _summary(recording: Recording) -> list[Table | str]:

@@ -7,8 +7,9 @@ Every step runs in this order:
 2. *Speed control.* PI (5.84); anti-windup by conditioning (Hanus): the integrator gets the control error that
    would have given the limited output.
 3. *Load torque compensation* (5.52), (5.74): the machine's own flange torque, times `load_compensation`.
-4. *Torque control.* Feedforward and integrator (5.99) on the testing torque from the sensors (5.95), (5.98); the
-   integrator is limited, and stands while the machine is at its limit.
+4. *Torque control.* Feedforward and integrator (5.99) on the testing torque from the sensors (5.95), (5.98). The
+   integrator compares it with what the feedforward should give by now, the reference behind (5.57); it is limited,
+   and stands while the machine is at its limit.
 5. *Decoupling* (5.62), (5.78): torque for the acceleration, times `acceleration_torque`, and active damping. The
    other parts leave a reserve for the damping.
 6. *Limits.* The torque-speed envelope, Figure 7.1.
@@ -175,6 +176,7 @@ class _Controller:
         for machine in self.torque_machines:
             name = self.design.machines[machine]
             values[f"{name}_damping"] = 0.0
+            values[f"{name}_torque_model"] = 0.0
             values[f"{name}_torque_integral_gain"] = self.gains.conventional_integral[name]
         return values
 
@@ -356,7 +358,8 @@ class _Controller:
         integral = self._state(f"{name}_torque_integral", "N m", f"integrator of the torque control of {name}")
         torque = self._assign(f"{place}_estimate", estimate, "testing torque from the sensors (5.95), (5.98)")
         reference = measured[f"{place}_ref"]
-        error = self._assign(f"{name}_torque_error", reference - torque)
+        expected = self._expected_torque(name, reference, h)
+        error = self._assign(f"{name}_torque_error", expected - torque)
         share = self._model_parameters(sp.factor(design.law.P[machine, index]))
         virtual = self._assign(
             f"{name}_virtual", feedforward * reference + proportional * error + integral, "torque control (5.99)"
@@ -375,6 +378,29 @@ class _Controller:
         limited = sp.Max(-bound, sp.Min(bound, grown))
         self._assign(integral.name, sp.Piecewise((integral, beyond > 0), (limited, True)), "limited integrator")
         return command
+
+    def _expected_torque(self, name: str, reference: sp.Symbol, h: sp.Symbol) -> sp.Expr:
+        """Return the torque that the feedforward alone should give by now: the reference behind (5.57).
+
+        The controller corrects what differs from it. Against the bare reference the integrator would charge during
+        every change and let the torque overshoot.
+        """
+        stiffness = self.gains.stiffness[name]
+        c = self._parameter(
+            f"{name}_model_stiffness", "N m/rad", f"stiffness in the torque model of {name}", float(f"{stiffness:.6g}")
+        )
+        d = self._parameter(
+            f"{name}_model_damping", "N m s/rad", f"damping in the torque model of {name}", self.gains.damping[name]
+        )
+        share = self._parameter(
+            f"{name}_torque_model", "", f"switch of the torque model of {name}, 0 to 1", 1.0, most=1.0
+        )
+        model = self._state(f"{name}_model_torque", "N m", f"torque that the feedforward to {name} should give")
+        rate = self._state(f"{name}_model_rate", "N m/s", f"rate of the torque model of {name}")
+        force = c * (reference - model) - d * rate
+        self._assign(rate.name, rate + h * force / _symbol(f"{name}_inertia_estimate"), "torque model (5.57), (5.76)")
+        self._assign(model.name, model + h * rate)
+        return share * model + (1 - share) * reference
 
     def _integral_limit(self, index: int, machine: int) -> float:
         share = float(evaluate_matrix(sp.Matrix([[self.design.law.P[machine, index]]]), self.design.values)[0, 0])

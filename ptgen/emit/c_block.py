@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from ptgen.block.block import Assign, Block, Call, Section, Signal, Statement, parse_element
 from ptgen.emit.c_expressions import CExpressions, Precision, literal
 
-__all__ = ["CBlock", "CField", "even"]
+__all__ = ["CBlock", "CField", "padded"]
 
 _FAILURES = {
     "cholesky_solve": "mass_matrix",
@@ -35,15 +35,15 @@ def _wrapped(line: str) -> list[str]:
     return textwrap.wrap(line, _WIDTH, subsequent_indent="    ", break_long_words=False) or [line]
 
 
-def even(count: int) -> int:
-    """Round up to an even number: arrays are padded so that loops run in pairs."""
-    return count + count % 2
+def padded(count: int) -> int:
+    """Round up to a multiple of four: arrays are padded so that loops run over four rows at a time."""
+    return (count + 3) // 4 * 4
 
 
 class CBlock:
     """What the templates need of a block.
 
-    Matrices are stored by columns, ``M[column][row]``, with an even number of rows, so that a product with a
+    Matrices are stored by columns, ``M[column][row]``, with rows padded to a multiple of four, so that a product with a
     vector runs down contiguous memory.
 
     Parameters
@@ -87,8 +87,8 @@ class CBlock:
         if not shape:
             return ""
         if len(shape) == 1:
-            return f"[{even(shape[0])}]"
-        return f"[{shape[1]}][{even(shape[0])}]"
+            return f"[{padded(shape[0])}]"
+        return f"[{shape[1]}][{padded(shape[0])}]"
 
     def initial_states(self) -> list[tuple[str, str]]:
         """Return the states that do not start at zero."""
@@ -195,7 +195,7 @@ class CBlock:
         shapes = [self._shape(name) for name in (*call.inputs, *call.outputs)]
         if call.kernel == "insert":
             target, source = shapes[0], shapes[1]
-            return [str(source[0]), str(even(target[0])), str(even(source[0]))]
+            return [str(source[0]), str(padded(target[0])), str(padded(source[0]))]
         if call.kernel == "cholesky_solve":
             return [str(shapes[0][0]), str(shapes[1][1])]
         if call.kernel in ("discretise", "difference", "multiply"):

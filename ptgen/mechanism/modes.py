@@ -15,6 +15,8 @@ from ptgen.mechanism.model import Model, evaluate_matrix
 
 __all__ = ["Mode", "modes"]
 
+_NO_DAMPING = 1e-12
+
 
 @dataclass(frozen=True)
 class Mode:
@@ -88,6 +90,7 @@ def modes(
     table = {**model.values, **(values or {})}
     bodies = {name: evaluate_matrix(row, table)[0] @ N for name, row in model.shape_rows().items()}
     result = []
+    shapes[:, :rigid] = _rigid_basis(shapes[:, :rigid], M)
     for index, vector in enumerate(shapes.T):
         omega = 0.0 if index < rigid else float(np.sqrt(max(squared[index], 0.0)))
         damping = 0.0 if index < rigid else _damping_ratio(omega, vector @ D @ vector, poles)
@@ -96,6 +99,30 @@ def modes(
         shape = {name: value / largest + 0.0 for name, value in amplitudes.items()}
         result.append(Mode(omega / (2 * np.pi), damping, N @ vector, shape))
     return tuple(result)
+
+
+def _rigid_basis(vectors: NDArray[np.float64], M: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return a basis of the rigid-body motions that does not depend on how the eigenvalues were found.
+
+    The motions are reduced to echelon form from the last coordinate up, then made orthogonal in the kinetic energy.
+    """
+    basis = vectors.T[:, ::-1].copy()
+    row = 0
+    for column in range(basis.shape[1]):
+        if row == len(basis):
+            break
+        pivot = row + int(np.argmax(np.abs(basis[row:, column])))
+        if abs(basis[pivot, column]) < 1e-9 * np.abs(basis).max():
+            continue
+        basis[[row, pivot]] = basis[[pivot, row]]
+        basis[row] /= basis[row, column]
+        for other in range(len(basis)):
+            if other != row:
+                basis[other] -= basis[other, column] * basis[row]
+        row += 1
+    echelon = basis[:, ::-1].T
+    factor = np.linalg.cholesky(echelon.T @ M @ echelon) if echelon.size else np.zeros((0, 0))
+    return np.asarray(np.linalg.solve(factor, echelon.T).T, dtype=np.float64)
 
 
 def _poles(M: NDArray[np.float64], D: NDArray[np.float64], K: NDArray[np.float64]) -> NDArray[np.complex128]:
@@ -112,4 +139,5 @@ def _damping_ratio(omega: float, modal_damping: float, poles: NDArray[np.complex
         return proportional
     expected = omega * complex(-proportional, np.sqrt(max(0.0, 1 - proportional**2)))
     pole = poles[np.argmin(abs(poles - expected))]
-    return float(-pole.real / abs(pole)) if proportional < 1 else proportional
+    ratio = float(-pole.real / abs(pole)) if proportional < 1 else proportional
+    return ratio if abs(ratio) > _NO_DAMPING else 0.0

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ptgen.block.block import Block, Signal
-from ptgen.emit.c_block import even
+from ptgen.emit.c_block import padded
 from ptgen.emit.c_expressions import Precision
 
 __all__ = ["PROFILE_FIELDS", "CompiledBlock", "Library"]
@@ -29,7 +29,7 @@ def _structure(name: str, signals: tuple[Signal, ...], real: Any) -> type[ctypes
     for signal in signals:
         kind = real
         if signal.shape:
-            kind = kind * even(signal.shape[0])
+            kind = kind * padded(signal.shape[0])
             if len(signal.shape) == 2:
                 kind = kind * signal.shape[1]
         fields.append((signal.name, kind))

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import ctypes
+import signal
+import threading
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from typing import Any, Literal
 
 import numpy as np
@@ -148,33 +151,60 @@ class _Run:
         progress: Callable[[float], None] | None,
     ) -> int:
         interrupted: list[BaseException] = []
+        with _noted_interrupt() as stopped:
 
-        def report(step: int, user: object) -> int:
-            try:
-                if progress is not None:
-                    progress(step / steps)
-            except BaseException as error:  # a callback from C cannot raise; it is raised again below
-                interrupted.append(error)
-                return 1
-            return 0
+            def report(step: int, user: object) -> int:
+                try:
+                    if stopped():
+                        raise KeyboardInterrupt
+                    if progress is not None:
+                        progress(step / steps)
+                except BaseException as error:  # a callback from C cannot raise; it is raised again below
+                    interrupted.append(error)
+                    return 1
+                return 0
 
-        callback_type = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_long, ctypes.c_void_p)
-        function = getattr(self._library.handle, f"{self._library.prefix}_run_steps")
-        function.restype = ctypes.c_long
-        done = function(
-            ctypes.byref(self._struct),
-            profiles,
-            ctypes.c_long(steps),
-            ctypes.c_long(every),
-            recording.ctypes.data_as(ctypes.POINTER(ctypes.c_double)),
-            ctypes.c_long(len(recording)),
-            ctypes.c_long(max(1, steps // _REPORTS)),
-            callback_type(report),
-            None,
-        )
+            callback_type = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_long, ctypes.c_void_p)
+            function = getattr(self._library.handle, f"{self._library.prefix}_run_steps")
+            function.restype = ctypes.c_long
+            done = function(
+                ctypes.byref(self._struct),
+                profiles,
+                ctypes.c_long(steps),
+                ctypes.c_long(every),
+                recording.ctypes.data_as(ctypes.POINTER(ctypes.c_double)),
+                ctypes.c_long(len(recording)),
+                ctypes.c_long(max(1, steps // _REPORTS)),
+                callback_type(report),
+                None,
+            )
+        if stopped() and not interrupted:  # after the last report
+            raise KeyboardInterrupt
         if interrupted:
             raise interrupted[0]
         return int(done)
+
+
+@contextmanager
+def _noted_interrupt() -> Iterator[Callable[[], bool]]:
+    """Turn Ctrl-C into a note for as long as C code runs.
+
+    Python would raise the interrupt somewhere inside a callback, where C code above it would swallow it.
+
+    Yields
+    ------
+    stopped : callable
+        Tells whether Ctrl-C was pressed.
+    """
+    noted: list[int] = []
+    if threading.current_thread() is not threading.main_thread():  # only there signals can be caught
+        yield lambda: False
+        return
+    before = signal.signal(signal.SIGINT, lambda number, frame: noted.append(number))
+    try:
+        yield lambda: bool(noted)
+    finally:
+        signal.signal(signal.SIGINT, before)
 
 
 class _Profile(ctypes.Structure):

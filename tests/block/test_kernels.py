@@ -125,7 +125,7 @@ def test_block_refuses_names_used_before_assignment(projects: dict[str, Project]
         replace(block, step=(Assign("a", sp.Symbol("nowhere")), *block.step))
 
 
-def test_c_arrays_are_padded_to_pairs(projects: dict[str, Project]) -> None:
+def test_c_arrays_are_padded_to_four_rows(projects: dict[str, Project]) -> None:
     block = CBlock(projects["differential"].plant, "differential", "double")
     rows = next(field for field in block.derived if field.name == "transition").dimensions
-    assert rows.startswith("[23]") and rows.endswith("[18]")
+    assert rows.startswith("[23]") and rows.endswith("[20]")

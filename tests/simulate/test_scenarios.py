@@ -49,6 +49,24 @@ def test_torque_step_does_not_ring(projects, root) -> None:
             assert np.ptp(torque[after]) < 0.02 * size
 
 
+@pytest.mark.parametrize("name, size", [("back_to_back", 1000.0), ("differential", 400.0), ("differential_gearboxes", 1e4)])
+def test_torque_step_hardly_overshoots(name: str, size: float, projects) -> None:
+    """Critical damping and the torque model: below 2 %; with the bare reference the integrator overshoots."""
+    project = projects[name]
+    references = {
+        key: Profile((0.0, 3.0), (0.0, size), "steps") if key.startswith("torque") else Profile((0.0, 1.0), (0.0, 30.0), "lines")
+        for key in project.design.controller.references
+    }
+    scenario = Scenario(name="step", file="", digest="", duration=7.0, record_every=1e-3, references=references)
+    torque = project.design.controller.references["torque.M1"].removesuffix("_ref")
+    peaks = [
+        simulate(project, scenario, parameters=parameters).signals[torque].max() / size
+        for parameters in ({}, {"M1_torque_model": 0.0})
+    ]
+    assert 0.999 < peaks[0] < 1.02
+    assert peaks[1] > 1.1
+
+
 def test_closed_loop_pole_of_the_first_mode_is_damped(project: Project) -> None:
     omega = next(iter(project.design.gains.natural_frequency.values())) / (2 * np.pi)
     for pole in closed_loop_poles(project.controller, project.plant):
