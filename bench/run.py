@@ -1,6 +1,6 @@
 """Speed of ptgen and of what it emits, as ratios measured side by side in this run, with the machine's load.
 
-    python bench/run.py
+python bench/run.py
 """
 
 from __future__ import annotations

@@ -12,7 +12,7 @@
 /* Parameters, in SI units; call back_to_back_controller_update after a change. */
 typedef struct {
     back_to_back_real sample_time; /* step of the controller (s) */
-    back_to_back_real fault_ramp; /* time in which the torque goes to zero after a fault (s) */
+    back_to_back_real fault_ramp; /* time from a fault to zero torque (s) */
     back_to_back_real flange1_torque_ref_plausible; /* largest plausible flange1_torque_ref (N m) */
     back_to_back_real M2_speed_ref_plausible; /* largest plausible M2_speed_ref (rad/s) */
     back_to_back_real M1_speed_plausible; /* largest plausible M1_speed (rad/s) */

@@ -281,8 +281,8 @@ differential_gearboxes_controller_status differential_gearboxes_controller_step(
     const differential_gearboxes_real diff_outputs_torque_estimate = s->flange2_torque_held*p->gearbox2_ratio +
         s->flange3_torque_held*p->gearbox3_ratio +
         p->load_compensation*(p->M1_sensor_inertia_M2*M2_virtual/p->M2_inertia +
-        p->M1_sensor_inertia_M3*M3_virtual/p->M3_inertia) +
-        p->load_compensation*(M3_virtual*p->gearbox3_inertia*p->gearbox3_ratio/p->M3_inertia +
+        p->M1_sensor_inertia_M3*M3_virtual/p->M3_inertia +
+        M3_virtual*p->gearbox3_inertia*p->gearbox3_ratio/p->M3_inertia +
         M2_virtual*p->gearbox2_inertia*p->gearbox2_ratio/p->M2_inertia);
     /* torque model (5.57), (5.76) */
     s->M1_model_rate = s->M1_model_rate + p->sample_time*(-p->M1_model_damping*s->M1_model_rate +

@@ -12,7 +12,7 @@
 /* Parameters, in SI units; call differential_gearboxes_controller_update after a change. */
 typedef struct {
     differential_gearboxes_real sample_time; /* step of the controller (s) */
-    differential_gearboxes_real fault_ramp; /* time in which the torque goes to zero after a fault (s) */
+    differential_gearboxes_real fault_ramp; /* time from a fault to zero torque (s) */
     differential_gearboxes_real diff_outputs_torque_ref_plausible; /* largest plausible diff_outputs_torque_ref (N m) */
     differential_gearboxes_real M2_speed_ref_plausible; /* largest plausible M2_speed_ref (rad/s) */
     differential_gearboxes_real M3_speed_ref_plausible; /* largest plausible M3_speed_ref (rad/s) */

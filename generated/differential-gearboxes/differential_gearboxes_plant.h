@@ -25,16 +25,16 @@ typedef struct {
     differential_gearboxes_real gearbox1_inertia; /* moment of inertia, referred to the side named in inertia_side (kg m^2) */
     differential_gearboxes_real cardan1_stiffness; /* torsional stiffness c_s (N m/rad) */
     differential_gearboxes_real cardan1_damping; /* internal damping d_s (N m s/rad) */
-    differential_gearboxes_real diff_ratio; /* ratio i_d of input speed to mean output speed */
-    differential_gearboxes_real diff_inertia; /* moment of inertia I_di, referred to the input (kg m^2) */
-    differential_gearboxes_real diff_inertia_pinion; /* moment of inertia I_3b of the relative motion of the outputs (kg m^2) */
-    differential_gearboxes_real diff_pinion_ratio; /* radius of the pinion over radius of the output gears, r_3/r_1 */
     differential_gearboxes_real diff_loss_coulomb; /* Coulomb friction torque T_0 (N m) */
     differential_gearboxes_real diff_loss_load; /* friction torque per unit of input torque, k_T */
     differential_gearboxes_real diff_loss_viscous; /* viscous friction, k_omega (N m s/rad) */
     differential_gearboxes_real diff_limited_slip_coulomb; /* Coulomb friction torque T_0 (N m) */
     differential_gearboxes_real diff_limited_slip_load; /* friction torque per unit of input torque, k_T */
     differential_gearboxes_real diff_limited_slip_viscous; /* viscous friction, k_omega (N m s/rad) */
+    differential_gearboxes_real diff_ratio; /* ratio i_d of input speed to mean output speed */
+    differential_gearboxes_real diff_inertia; /* moment of inertia I_di, referred to the input (kg m^2) */
+    differential_gearboxes_real diff_inertia_pinion; /* moment of inertia I_3b of the relative motion of the outputs (kg m^2) */
+    differential_gearboxes_real diff_pinion_ratio; /* radius of the pinion over radius of the output gears, r_3/r_1 */
     differential_gearboxes_real cardan2_stiffness; /* torsional stiffness c_s (N m/rad) */
     differential_gearboxes_real cardan2_damping; /* internal damping d_s (N m s/rad) */
     differential_gearboxes_real gearbox2_ratio; /* ratio of input speed to output speed; negative when the sense reverses */
@@ -159,16 +159,16 @@ typedef enum {
     differential_gearboxes_plant_bad_gearbox1_inertia = 2011, /* outside its range */
     differential_gearboxes_plant_bad_cardan1_stiffness = 2012, /* outside its range */
     differential_gearboxes_plant_bad_cardan1_damping = 2013, /* outside its range */
-    differential_gearboxes_plant_bad_diff_ratio = 2014, /* outside its range */
-    differential_gearboxes_plant_bad_diff_inertia = 2015, /* outside its range */
-    differential_gearboxes_plant_bad_diff_inertia_pinion = 2016, /* outside its range */
-    differential_gearboxes_plant_bad_diff_pinion_ratio = 2017, /* outside its range */
-    differential_gearboxes_plant_bad_diff_loss_coulomb = 2018, /* outside its range */
-    differential_gearboxes_plant_bad_diff_loss_load = 2019, /* outside its range */
-    differential_gearboxes_plant_bad_diff_loss_viscous = 2020, /* outside its range */
-    differential_gearboxes_plant_bad_diff_limited_slip_coulomb = 2021, /* outside its range */
-    differential_gearboxes_plant_bad_diff_limited_slip_load = 2022, /* outside its range */
-    differential_gearboxes_plant_bad_diff_limited_slip_viscous = 2023, /* outside its range */
+    differential_gearboxes_plant_bad_diff_loss_coulomb = 2014, /* outside its range */
+    differential_gearboxes_plant_bad_diff_loss_load = 2015, /* outside its range */
+    differential_gearboxes_plant_bad_diff_loss_viscous = 2016, /* outside its range */
+    differential_gearboxes_plant_bad_diff_limited_slip_coulomb = 2017, /* outside its range */
+    differential_gearboxes_plant_bad_diff_limited_slip_load = 2018, /* outside its range */
+    differential_gearboxes_plant_bad_diff_limited_slip_viscous = 2019, /* outside its range */
+    differential_gearboxes_plant_bad_diff_ratio = 2020, /* outside its range */
+    differential_gearboxes_plant_bad_diff_inertia = 2021, /* outside its range */
+    differential_gearboxes_plant_bad_diff_inertia_pinion = 2022, /* outside its range */
+    differential_gearboxes_plant_bad_diff_pinion_ratio = 2023, /* outside its range */
     differential_gearboxes_plant_bad_cardan2_stiffness = 2024, /* outside its range */
     differential_gearboxes_plant_bad_cardan2_damping = 2025, /* outside its range */
     differential_gearboxes_plant_bad_gearbox2_ratio = 2026, /* outside its range */

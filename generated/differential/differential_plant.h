@@ -21,16 +21,16 @@ typedef struct {
     differential_real flange1_damping; /* internal damping d_f (N m s/rad) */
     differential_real cardan1_stiffness; /* torsional stiffness c_s (N m/rad) */
     differential_real cardan1_damping; /* internal damping d_s (N m s/rad) */
-    differential_real diff_ratio; /* ratio i_d of input speed to mean output speed */
-    differential_real diff_inertia; /* moment of inertia I_di, referred to the input (kg m^2) */
-    differential_real diff_inertia_pinion; /* moment of inertia I_3b of the relative motion of the outputs (kg m^2) */
-    differential_real diff_pinion_ratio; /* radius of the pinion over radius of the output gears, r_3/r_1 */
     differential_real diff_loss_coulomb; /* Coulomb friction torque T_0 (N m) */
     differential_real diff_loss_load; /* friction torque per unit of input torque, k_T */
     differential_real diff_loss_viscous; /* viscous friction, k_omega (N m s/rad) */
     differential_real diff_limited_slip_coulomb; /* Coulomb friction torque T_0 (N m) */
     differential_real diff_limited_slip_load; /* friction torque per unit of input torque, k_T */
     differential_real diff_limited_slip_viscous; /* viscous friction, k_omega (N m s/rad) */
+    differential_real diff_ratio; /* ratio i_d of input speed to mean output speed */
+    differential_real diff_inertia; /* moment of inertia I_di, referred to the input (kg m^2) */
+    differential_real diff_inertia_pinion; /* moment of inertia I_3b of the relative motion of the outputs (kg m^2) */
+    differential_real diff_pinion_ratio; /* radius of the pinion over radius of the output gears, r_3/r_1 */
     differential_real cardan2_stiffness; /* torsional stiffness c_s (N m/rad) */
     differential_real cardan2_damping; /* internal damping d_s (N m s/rad) */
     differential_real flange2_inertia; /* moment of inertia on the side of the unit under test (kg m^2) */
@@ -136,16 +136,16 @@ typedef enum {
     differential_plant_bad_flange1_damping = 2007, /* outside its range */
     differential_plant_bad_cardan1_stiffness = 2008, /* outside its range */
     differential_plant_bad_cardan1_damping = 2009, /* outside its range */
-    differential_plant_bad_diff_ratio = 2010, /* outside its range */
-    differential_plant_bad_diff_inertia = 2011, /* outside its range */
-    differential_plant_bad_diff_inertia_pinion = 2012, /* outside its range */
-    differential_plant_bad_diff_pinion_ratio = 2013, /* outside its range */
-    differential_plant_bad_diff_loss_coulomb = 2014, /* outside its range */
-    differential_plant_bad_diff_loss_load = 2015, /* outside its range */
-    differential_plant_bad_diff_loss_viscous = 2016, /* outside its range */
-    differential_plant_bad_diff_limited_slip_coulomb = 2017, /* outside its range */
-    differential_plant_bad_diff_limited_slip_load = 2018, /* outside its range */
-    differential_plant_bad_diff_limited_slip_viscous = 2019, /* outside its range */
+    differential_plant_bad_diff_loss_coulomb = 2010, /* outside its range */
+    differential_plant_bad_diff_loss_load = 2011, /* outside its range */
+    differential_plant_bad_diff_loss_viscous = 2012, /* outside its range */
+    differential_plant_bad_diff_limited_slip_coulomb = 2013, /* outside its range */
+    differential_plant_bad_diff_limited_slip_load = 2014, /* outside its range */
+    differential_plant_bad_diff_limited_slip_viscous = 2015, /* outside its range */
+    differential_plant_bad_diff_ratio = 2016, /* outside its range */
+    differential_plant_bad_diff_inertia = 2017, /* outside its range */
+    differential_plant_bad_diff_inertia_pinion = 2018, /* outside its range */
+    differential_plant_bad_diff_pinion_ratio = 2019, /* outside its range */
     differential_plant_bad_cardan2_stiffness = 2020, /* outside its range */
     differential_plant_bad_cardan2_damping = 2021, /* outside its range */
     differential_plant_bad_flange2_inertia = 2022, /* outside its range */

@@ -21,19 +21,18 @@ from typing import Annotated, ClassVar, Literal
 
 import sympy as sp
 
-from ptgen.components.component import Component, Flange, Quantity
-from ptgen.components.friction import LoadDependentFriction, differential_frictions
-from ptgen.elements import Body, Constraint, Elements, Place
+from ptgen.components.component import Quantity
+from ptgen.components.differential_partial import DifferentialPartial
+from ptgen.elements import Body, Constraint, Elements
 
 __all__ = ["BevelDifferential"]
 
 
-class BevelDifferential(Component):
+class BevelDifferential(DifferentialPartial):
     """A bevel gear differential, symmetric or not."""
 
     type_name: ClassVar[str] = "bevel_differential"
     summary: ClassVar[str] = "bevel gear differential (3.14)-(3.22), asymmetric allowed"
-    flanges: ClassVar[tuple[Flange, ...]] = (Flange("input"), Flange("output1"), Flange("output2"))
 
     type: Literal["bevel_differential"]
     ratio: Annotated[float, Quantity("", "ratio i_d = r_c/r_0 of drive gear speed to cage speed", signed=True)]
@@ -47,12 +46,6 @@ class BevelDifferential(Component):
     inertia_output1: Annotated[float, Quantity("kg m^2", "moment of inertia I_1 of output 1")]
     inertia_output2: Annotated[float, Quantity("kg m^2", "moment of inertia I_2 of output 2")]
     inertia_pinion: Annotated[float, Quantity("kg m^2", "moment of inertia I_3 of the pinion about its own axis")]
-    loss: LoadDependentFriction | None = None
-    limited_slip: LoadDependentFriction | None = None
-
-    @classmethod
-    def place_names(cls) -> tuple[str, ...]:
-        return ("outputs",)
 
     def elements(self, name: str) -> Elements:
         input_, output1, output2, cage, pinion = (
@@ -74,6 +67,6 @@ class BevelDifferential(Component):
                 Constraint(name, {output1: r1, cage: -r1, pinion: -r3}),
                 Constraint(name, {output2: r2, cage: -r2, pinion: r3}),
             ),
-            frictions=differential_frictions(self, name, {input_: one}, {pinion: one}),
-            places=(Place(f"{name}.outputs", {output1: 1, output2: 1}),),
+            frictions=self.frictions(name, pinion),
+            places=self.outputs(name),
         )

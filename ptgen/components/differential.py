@@ -23,31 +23,24 @@ from typing import Annotated, ClassVar, Literal
 
 import sympy as sp
 
-from ptgen.components.component import Component, Flange, Quantity
-from ptgen.components.friction import LoadDependentFriction, differential_frictions
-from ptgen.elements import Body, Constraint, Elements, Place
+from ptgen.components.component import Quantity
+from ptgen.components.differential_partial import DifferentialPartial
+from ptgen.elements import Body, Constraint, Elements
 
 __all__ = ["Differential"]
 
 
-class Differential(Component):
+class Differential(DifferentialPartial):
     """A symmetric axle differential."""
 
     type_name: ClassVar[str] = "differential"
     summary: ClassVar[str] = "symmetric differential, reduced form (C.13), (C.14)"
-    flanges: ClassVar[tuple[Flange, ...]] = (Flange("input"), Flange("output1"), Flange("output2"))
 
     type: Literal["differential"]
     ratio: Annotated[float, Quantity("", "ratio i_d of input speed to mean output speed", signed=True)]
     inertia: Annotated[float, Quantity("kg m^2", "moment of inertia I_di, referred to the input")]
     inertia_pinion: Annotated[float, Quantity("kg m^2", "moment of inertia I_3b of the relative motion of the outputs")]
     pinion_ratio: Annotated[float, Quantity("", "radius of the pinion over radius of the output gears, r_3/r_1")] = 1.0
-    loss: LoadDependentFriction | None = None
-    limited_slip: LoadDependentFriction | None = None
-
-    @classmethod
-    def place_names(cls) -> tuple[str, ...]:
-        return ("outputs",)
 
     def elements(self, name: str) -> Elements:
         input_, output1, output2, pinion = (f"{name}.{part}" for part in ("input", "output1", "output2", "pinion"))
@@ -63,6 +56,6 @@ class Differential(Component):
                 Constraint(name, {output1: one, input_: -1 / ratio, pinion: -rho}),
                 Constraint(name, {output2: one, input_: -1 / ratio, pinion: rho}),
             ),
-            frictions=differential_frictions(self, name, {input_: one}, {pinion: one}),
-            places=(Place(f"{name}.outputs", {output1: 1, output2: 1}),),
+            frictions=self.frictions(name, pinion),
+            places=self.outputs(name),
         )

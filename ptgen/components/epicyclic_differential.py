@@ -19,22 +19,20 @@ from __future__ import annotations
 
 from typing import Annotated, ClassVar, Literal
 
-import sympy as sp
 from pydantic import model_validator
 
-from ptgen.components.component import Component, Flange, Quantity
-from ptgen.components.friction import LoadDependentFriction, differential_frictions
-from ptgen.elements import Body, Constraint, Elements, Place
+from ptgen.components.component import Quantity
+from ptgen.components.differential_partial import DifferentialPartial
+from ptgen.elements import Body, Constraint, Elements
 
 __all__ = ["EpicyclicDifferential"]
 
 
-class EpicyclicDifferential(Component):
+class EpicyclicDifferential(DifferentialPartial):
     """A differential made of one planetary gear set; its split is never symmetric."""
 
     type_name: ClassVar[str] = "epicyclic_differential"
     summary: ClassVar[str] = "epicyclic differential (3.23)-(3.31)"
-    flanges: ClassVar[tuple[Flange, ...]] = (Flange("input"), Flange("output1"), Flange("output2"))
 
     type: Literal["epicyclic_differential"]
     radius_ring: Annotated[float, Quantity("m", "radius r_r of the ring gear")]
@@ -46,12 +44,6 @@ class EpicyclicDifferential(Component):
     inertia_ring: Annotated[float, Quantity("kg m^2", "moment of inertia I_r of ring gear and output 1")]
     inertia_sun: Annotated[float, Quantity("kg m^2", "moment of inertia I_s of sun gear and output 2")]
     inertia_planet: Annotated[float, Quantity("kg m^2", "moment of inertia I_p of one planet about its own axis")]
-    loss: LoadDependentFriction | None = None
-    limited_slip: LoadDependentFriction | None = None
-
-    @classmethod
-    def place_names(cls) -> tuple[str, ...]:
-        return ("outputs",)
 
     @model_validator(mode="after")
     def _ring_outside(self) -> EpicyclicDifferential:
@@ -65,7 +57,6 @@ class EpicyclicDifferential(Component):
         input_, output1, output2, planet = (f"{name}.{part}" for part in ("input", "output1", "output2", "planet"))
         ring, sun = self.symbol(name, "radius_ring"), self.symbol(name, "radius_sun")
         radius_planet = (ring - sun) / 2
-        one = sp.Integer(1)
         return Elements(
             internal=(planet,),
             bodies=(
@@ -78,6 +69,6 @@ class EpicyclicDifferential(Component):
                 Constraint(name, {output1: ring, input_: -ring, planet: -radius_planet}),
                 Constraint(name, {output2: sun, input_: -sun, planet: radius_planet}),
             ),
-            frictions=differential_frictions(self, name, {input_: one}, {planet: one}),
-            places=(Place(f"{name}.outputs", {output1: 1, output2: 1}),),
+            frictions=self.frictions(name, planet),
+            places=self.outputs(name),
         )

@@ -11,11 +11,9 @@ keeps order 2.
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Sequence
+from dataclasses import replace
 
-import numpy as np
 import sympy as sp
 
 from ptgen.block.block import Assign, Block, Call, Signal, Statement, element
@@ -23,22 +21,17 @@ from ptgen.elements import Parameter
 from ptgen.errors import ModelError, Problem
 from ptgen.friction.box import MAX_ELEMENTS
 from ptgen.mechanism.model import LinearForm, Model
+from ptgen.plant.layout import Layout, signal_name
+from ptgen.plant.preparation import Preparation
+from ptgen.plant.signals import PlantSignals
 
-__all__ = ["DELAY_CAPACITY", "plant_block", "signal_name"]
+__all__ = ["DELAY_CAPACITY", "STANDSTILL", "plant_block"]
 
 DELAY_CAPACITY = 16
 """Steps of dead time for which every delay line has room, one more than can be asked for."""
 
 STANDSTILL = 1e-9
 """Friction velocity (rad/s) below which an element counts as standing; one revolution in two hundred years."""
-
-_MARGIN = 8.0
-"""Factor by which tuned parameters may raise the norm of the exponential's argument."""
-
-
-def signal_name(place: str) -> str:
-    """Return the name of the torque signal of a place: ``diff.input`` gives ``diff_input_torque``."""
-    return place.replace(".", "_") + "_torque"
 
 
 def plant_block(model: Model, sample_time: float) -> Block:
@@ -59,45 +52,12 @@ def plant_block(model: Model, sample_time: float) -> Block:
     return _Plant(model, sample_time).block()
 
 
-@dataclass(frozen=True)
-class _Layout:
-    """Where things stand in the state array ``x`` and in the columns of its matrices."""
-
-    n_z: int
-    n_e: int
-    lagging: tuple[int, ...]
-    n_u: int
-    n_f: int
-
-    @property
-    def n(self) -> int:
-        """Number of true states."""
-        return self.n_z + self.n_e + len(self.lagging)
-
-    def air_gap(self, machine: int) -> int:
-        """Return where the air-gap torque of a machine stands in ``x``."""
-        return self.n_z + self.n_e + self.lagging.index(machine) if machine in self.lagging else self.n + machine
-
-    def late(self, machine: int) -> int:
-        """Return where the command that acts at the end of the step stands."""
-        return self.n + machine
-
-    def early(self, machine: int) -> int:
-        """Return where the command that acts at the start of the step stands."""
-        return self.n + self.n_u + machine
-
-
 class _Plant:
     def __init__(self, model: Model, sample_time: float) -> None:
         self.model = model
         self.sample_time = sample_time
-        self.layout = _Layout(
-            n_z=len(model.coordinates),
-            n_e=len(model.twists),
-            lagging=tuple(i for i, torque in enumerate(model.inputs) if torque.drive.time_constant is not None),
-            n_u=len(model.inputs),
-            n_f=len(model.frictions),
-        )
+        self.layout = Layout.of(model)
+        self.signals = PlantSignals(model, self.layout)
         self._check_frictions()
 
     def _check_frictions(self) -> None:
@@ -116,7 +76,11 @@ class _Plant:
     def block(self) -> Block:
         layout = self.layout
         n, n_u, n_f, width = layout.n, layout.n_u, layout.n_f, layout.n + 2 * layout.n_u
-        prepare, step, measure = self._prepare(), self._step(), self._measure()
+        prepare, step, measure = (
+            Preparation(self.model, self.layout, self.signals, self.sample_time).statements(),
+            self._step(),
+            self.signals.measure(),
+        )
         used = {symbol.name for statement in (*prepare, *step, *measure) for symbol in _symbols(statement)}
         parameters = [
             _parameter_signal(parameter) for parameter in self.model.parameters if parameter.symbol.name in used
@@ -155,7 +119,7 @@ class _Plant:
         ]
         derived += [
             Signal(f"{name}_reaction", "", f"{name} per velocity, twist, input, friction", (force_columns,))
-            for name in self._accelerated()
+            for name in self.signals.accelerated()
         ]
         states = [
             Signal(
@@ -186,7 +150,7 @@ class _Plant:
             description=f"plant of the bed {self.model.name}",
             parameters=(*parameters, *friction_parameters, sample),
             inputs=tuple(Signal(f"{m}_torque_ref", "N m", f"air-gap torque reference of {m}") for m in self._names()),
-            outputs=self._outputs(),
+            outputs=self.signals.outputs(),
             states=tuple(states),
             derived=tuple(derived),
             arrays=tuple(arrays),
@@ -213,94 +177,12 @@ class _Plant:
             *(f"early command to {name} (N m)" for name in names),
         )
 
-    # -- prepare
-
-    def _prepare(self) -> tuple[Statement, ...]:
-        layout, model = self.layout, self.model
-        n, n_z, n_e, n_u, n_f = layout.n, layout.n_z, layout.n_e, layout.n_u, layout.n_f
-        h = sp.Symbol("sample_time", positive=True)
-        statements: list[Statement] = list(_assign_matrix("mass", model.mass, "M = S' I S"))
-        forces = model.forces()
-        joined = sp.Matrix.hstack(forces.z, forces.e, forces.u, forces.f)
-        statements += _assign_matrix("forces", joined, "M dz/dt = B' u - E'(C e + D E z) - G'(T + k_v G z)")
-        statements.append(Call("cholesky_solve", ("rates",), ("mass", "forces")))
-        statements.append(Call("insert", ("A",), ("A", "rates"), numbers=(0, 0, 0, n_z + n_e)))
-        statements += _assign_matrix("A", model.twist_rows, "de/dt = E z", row=n_z)
-        for i, torque in enumerate(model.inputs):
-            column = layout.air_gap(i)
-            statements.append(Call("insert", ("A",), ("A", "rates"), numbers=(0, column, n_z + n_e + i, 1)))
-            if torque.drive.time_constant is not None:
-                rate = 1 / torque.drive.time_constant
-                statements.append(Assign(str(element("A", column, column)), -rate, "lag of the torque loop"))
-                statements.append(Assign(str(element("A", column, n + i)), rate))
-        if n_f:
-            numbers = (0, n + n_u, n_z + n_e + n_u, n_f)
-            statements.append(Call("insert", ("A",), ("A", "rates"), numbers=numbers))
-        for i in range(n + n_u + n_f):
-            is_twist = n_z <= i < n_z + n_e
-            statements.append(Assign(str(element("scale", i)), h if is_twist else sp.Integer(1)))
-        squarings = self._squarings()
-        statements.append(
-            Call("discretise", ("whole",), ("A", "scale", "sample_time"), "exact discretisation", (squarings,))
-        )
-        statements.append(Call("insert", ("transition",), ("transition", "whole"), numbers=(0, 0, 0, n)))
-        for i, torque in enumerate(model.inputs):
-            statements += self._input_columns(i, torque.name, torque.drive.dead_time, h, squarings)
-        if n_f:
-            statements.append(Call("insert", ("gamma_f",), ("gamma_f", "whole"), numbers=(0, 0, n + n_u, n_f)))
-            statements += [
-                Assign(str(element("K", i, j)), -element("whole", i, n + n_u + j), "K = -G Gamma_f")
-                for i in range(n_f)
-                for j in range(n_f)
-            ]
-            statements.append(Call("require_definite", (), ("K",), "friction torques are unique"))
-        for name, form in self._accelerated().items():
-            for j in range(n_z + n_e + n_u + n_f):
-                total = sum((form.a[k] * element("rates", k, j) for k in range(n_z) if form.a[k] != 0), sp.Integer(0))
-                statements.append(Assign(str(element(f"{name}_reaction", j)), total, "d'Alembert"))
-        return tuple(statements)
-
-    def _input_columns(
-        self, i: int, name: str, dead_time: sp.Expr | None, h: sp.Symbol, squarings: int
-    ) -> list[Statement]:
-        layout = self.layout
-        column = layout.n + i
-        steps = sp.Symbol(f"{name}_dead_steps", real=True)
-        if dead_time is None:
-            return [
-                Assign(steps.name, sp.Integer(0)),
-                Call("insert", ("transition",), ("transition", "whole"), numbers=(0, layout.late(i), column, 1)),
-            ]
-        part = f"{name}_late_time"
-        return [
-            Assign(steps.name, sp.floor(dead_time / h + sp.Float(1e-6)), "dead time = (d + f) h"),
-            Assign(part, h - sp.Max(0, dead_time - steps * h), "the late command acts for (1 - f) h"),
-            Call("discretise", ("late",), ("A", "scale", part), numbers=(squarings,)),
-            Call("difference", ("early",), ("whole", "late")),
-            Call("insert", ("transition",), ("transition", "late"), numbers=(0, layout.late(i), column, 1)),
-            Call("insert", ("transition",), ("transition", "early"), numbers=(0, layout.early(i), column, 1)),
-        ]
-
-    def _squarings(self) -> int:
-        """Return how often the exponential is squared: enough for the nominal parameters, with a margin."""
-        A, B, F = self.model.numeric().state_matrices()
-        n_z = self.layout.n_z
-        scale = np.ones(A.shape[0])
-        scale[n_z:] = self.sample_time
-        joined = np.hstack([A * scale[None, :], B, F]) / scale[:, None] * self.sample_time
-        values = self.model.values
-        lags = [self.sample_time / values[t.drive.time_constant] for t in self.model.inputs if t.drive.time_constant]
-        norm = max(float(np.abs(joined).sum(axis=0).max()), 2 * max(lags, default=0.0))
-        return max(0, math.ceil(math.log2(_MARGIN * norm)))
-
-    # -- step
-
     def _step(self) -> tuple[Statement, ...]:
         layout, model = self.layout, self.model
         statements: list[Statement] = []
         for i, torque in enumerate(model.inputs):
             name, drive = torque.name, torque.drive
-            speed = self._over_x(model.velocity_rows[next(iter(torque.row))])
+            speed = self.signals.over_coordinates(model.velocity_rows[next(iter(torque.row))])
             available = drive.torque_max * drive.speed_rated / sp.Max(drive.speed_rated, sp.Abs(speed))
             reference = sp.Symbol(f"{name}_torque_ref", real=True)
             limited = sp.Symbol(f"{name}_available", real=True)
@@ -316,12 +198,12 @@ class _Plant:
             ]
         loads = self._loads()
         for name, form in loads.items():
-            statements.append(Assign(f"{name}_start", self._over(name, form, lambda k: element("x", k))))
+            statements.append(Assign(f"{name}_start", self.signals.over(name, form, lambda k: element("x", k))))
         statements.append(Call("multiply", ("x_free",), ("transition", "x"), "x+ = Phi x + Gamma_u u"))
         if layout.n_f == 0:
             return (*statements, *(Assign(str(element("x", k)), element("x_free", k)) for k in range(layout.n)))
         for name, form in loads.items():
-            statements.append(Assign(f"{name}_end", self._over(name, form, self._predicted), "predicted"))
+            statements.append(Assign(f"{name}_end", self.signals.over(name, form, self._predicted), "predicted"))
         for i, friction in enumerate(model.frictions):
             capacity = friction.coulomb
             if friction.load is not None:
@@ -357,77 +239,6 @@ class _Plant:
     def _loads(self) -> dict[str, LinearForm]:
         places = dict.fromkeys(f.load.place for f in self.model.frictions if f.load is not None)
         return {signal_name(place): self.model.signals[place] for place in places}
-
-    # -- signals
-
-    def _accelerated(self) -> dict[str, LinearForm]:
-        """Return the signals that depend on accelerations."""
-        return {name: form for name, form in self._torques().items() if form.needs_acceleration}
-
-    def _torques(self) -> dict[str, LinearForm]:
-        signals = self.model.signals
-        sensors = {sensor.name: signals[sensor.name] for sensor in self.model.sensors}
-        places = {signal_name(name): form for name, form in signals.items() if name not in sensors}
-        return {**sensors, **{name: form for name, form in places.items() if name not in sensors}}
-
-    def _over_x(self, row: sp.Matrix) -> sp.Expr:
-        return sum((row[k] * element("x", k) for k in range(self.layout.n_z) if row[k] != 0), sp.Integer(0))
-
-    def _over(self, name: str, form: LinearForm, x: Callable[[int], sp.Expr]) -> sp.Expr:
-        """Return a linear form as an expression; `x` gives the entries of the state array."""
-        layout = self.layout
-        variables: list[sp.Expr] = [
-            *(x(k) for k in range(layout.n_z + layout.n_e)),
-            *(x(layout.air_gap(i)) for i in range(layout.n_u)),
-            *(element("friction_torque", j) for j in range(layout.n_f)),
-        ]
-        coefficients = [*form.z, *form.e, *form.u, *form.f]
-        reaction = [
-            element(f"{name}_reaction", j) if form.needs_acceleration else sp.Integer(0) for j in range(len(variables))
-        ]
-        return sum(
-            ((c + r) * v for c, r, v in zip(coefficients, reaction, variables, strict=True) if c != 0 or r != 0),
-            sp.Integer(0),
-        )
-
-    def _measure(self) -> tuple[Statement, ...]:
-        layout, model = self.layout, self.model
-
-        def x(k: int) -> sp.Expr:
-            return element("x", k)
-
-        statements: list[Statement] = [
-            Assign(name, self._over(name, form, x)) for name, form in self._torques().items()
-        ]
-        for i, torque in enumerate(model.inputs):
-            statements.append(Assign(f"{torque.name}_torque", element("x", layout.air_gap(i))))
-        for i, friction in enumerate(model.frictions):
-            name = friction.name.replace(".", "_")
-            torque_now = element("friction_torque", i) + friction.viscous * element("x", i)
-            statements += [Assign(f"{name}_torque", torque_now), Assign(f"{name}_speed", element("x", i))]
-        return tuple(statements)
-
-    def _outputs(self) -> tuple[Signal, ...]:
-        outputs = []
-        for name in self._torques():
-            unit = "rad/s" if name.endswith("_speed") else "N m"
-            outputs.append(Signal(name, unit, "measured or observed, positive to the right"))
-        for torque in self.model.inputs:
-            outputs.append(Signal(f"{torque.name}_torque", "N m", f"air-gap torque of {torque.name}"))
-        for friction in self.model.frictions:
-            name = friction.name.replace(".", "_")
-            outputs.append(Signal(f"{name}_torque", "N m", f"torque of the friction element {friction.name}"))
-            outputs.append(Signal(f"{name}_speed", "rad/s", f"velocity of the friction element {friction.name}"))
-        return tuple(outputs)
-
-
-def _assign_matrix(name: str, matrix: sp.Matrix, source: str, row: int = 0) -> list[Assign]:
-    return [
-        Assign(str(element(name, row + i, j)), matrix[i, j], source)
-        for i in range(matrix.shape[0])
-        for j in range(matrix.shape[1])
-        if matrix[i, j] != 0
-    ]
 
 
 def _symbols(statement: Statement) -> Sequence[sp.Symbol]:

@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 
 from ptgen.control.decoupling import Decoupling
 from ptgen.elements import SensorKind
+from ptgen.mechanism.applied_rules import AppliedRule
 from ptgen.mechanism.model import Model
 from ptgen.mechanism.modes import Mode
-from ptgen.mechanism.reduction import AppliedRule
-from ptgen.plant.plant import signal_name
+from ptgen.plant.layout import signal_name
 from ptgen.project import Project
 from ptgen.report.formulas import Equation, Kind, Term
 from ptgen.report.motion import Motion, motion

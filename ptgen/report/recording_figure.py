@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ptgen.elements import FrictionRole, SensorKind
-from ptgen.plant.plant import signal_name
+from ptgen.plant.layout import signal_name
 from ptgen.project import Project
 from ptgen.report.figures import GREY, LIGHT, PALETTE, REFERENCE, new_figure
 from ptgen.report.quantities import shown_unit

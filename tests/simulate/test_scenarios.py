@@ -49,14 +49,15 @@ def test_torque_step_does_not_ring(projects, root) -> None:
             assert np.ptp(torque[after]) < 0.02 * size
 
 
-@pytest.mark.parametrize("name, size", [("back_to_back", 1000.0), ("differential", 400.0), ("differential_gearboxes", 1e4)])
+@pytest.mark.parametrize(
+    ("name", "size"), [("back_to_back", 1000.0), ("differential", 400.0), ("differential_gearboxes", 1e4)]
+)
 def test_torque_step_hardly_overshoots(name: str, size: float, projects) -> None:
     """Critical damping and the torque model: below 2 %; with the bare reference the integrator overshoots."""
     project = projects[name]
-    references = {
-        key: Profile((0.0, 3.0), (0.0, size), "steps") if key.startswith("torque") else Profile((0.0, 1.0), (0.0, 30.0), "lines")
-        for key in project.design.controller.references
-    }
+    torque_step, speed_ramp = Profile((0.0, 3.0), (0.0, size), "steps"), Profile((0.0, 1.0), (0.0, 30.0), "lines")
+    keys = project.design.controller.references
+    references = {key: torque_step if key.startswith("torque") else speed_ramp for key in keys}
     scenario = Scenario(name="step", file="", digest="", duration=7.0, record_every=1e-3, references=references)
     torque = project.design.controller.references["torque.M1"].removesuffix("_ref")
     peaks = [

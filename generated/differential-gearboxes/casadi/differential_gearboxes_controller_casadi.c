@@ -328,12 +328,11 @@ static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a25=arg[0]? arg[0][26] : 0;
   a24=(a24/a25);
   a21=(a21+a24);
-  a21=(a18*a21);
-  a16=(a16+a21);
-  a21=arg[0]? arg[0][25] : 0;
-  a21=(a03*a21);
-  a21=(a21*a10);
-  a21=(a21/a23);
+  a24=arg[0]? arg[0][25] : 0;
+  a24=(a03*a24);
+  a24=(a24*a10);
+  a24=(a24/a23);
+  a21=(a21+a24);
   a24=arg[0]? arg[0][27] : 0;
   a24=(a20*a24);
   a24=(a24*a22);

@@ -402,8 +402,8 @@ static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   wr11 = arg[0] ? arg[0] : casadi_zeros;
   /* #12: @12 = @11[39] */
   w12 = wr11[39];
-  /* #13: @13 = @11[14] */
-  w13 = wr11[14];
+  /* #13: @13 = @11[20] */
+  w13 = wr11[20];
   /* #14: @14 = sq(@13) */
   w14 = casadi_sq( w13 );
   /* #15: @14 = (@12/@14) */
@@ -414,8 +414,8 @@ static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   w16 = casadi_sq( w13 );
   /* #18: @16 = (@15/@16) */
   w16  = (w15/w16);
-  /* #19: @17 = @11[20] */
-  w17 = wr11[20];
+  /* #19: @17 = @11[16] */
+  w17 = wr11[16];
   /* #20: @18 = @11[13] */
   w18 = wr11[13];
   /* #21: @17 = (@17+@18) */
@@ -428,8 +428,8 @@ static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   w14 = (- w14 );
   /* #25: (@10[0] = @14) */
   for (rr=w10+0, cs=(&w14); rr!=w10+1; rr+=1) *rr = *cs++;
-  /* #26: @14 = @11[17] */
-  w14 = wr11[17];
+  /* #26: @14 = @11[23] */
+  w14 = wr11[23];
   /* #27: @16 = (@12*@14) */
   w16  = (w12*w14);
   /* #28: @16 = (@16/@13) */
@@ -512,8 +512,8 @@ static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   w24 = casadi_sq( w14 );
   /* #67: @24 = (@15*@24) */
   w24  = (w15*w24);
-  /* #68: @25 = @11[23] */
-  w25 = wr11[23];
+  /* #68: @25 = @11[19] */
+  w25 = wr11[19];
   /* #69: @24 = (@24+@25) */
   w24 += w25;
   /* #70: @23 = (@23+@24) */
@@ -760,12 +760,12 @@ static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   for (rr=w10+219, cs=(&w28); rr!=w10+220; rr+=1) *rr = *cs++;
   /* #191: @30 = zeros(11x11) */
   casadi_clear(w30, 121);
-  /* #192: @28 = @11[15] */
-  w28 = wr11[15];
+  /* #192: @28 = @11[21] */
+  w28 = wr11[21];
   /* #193: (@30[0] = @28) */
   for (rr=w30+0, cs=(&w28); rr!=w30+1; rr+=1) *rr = *cs++;
-  /* #194: @28 = @11[16] */
-  w28 = wr11[16];
+  /* #194: @28 = @11[22] */
+  w28 = wr11[22];
   /* #195: @28 = (@28*@14) */
   w28 *= w14;
   /* #196: (@30[12] = @28) */
@@ -4550,8 +4550,8 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   casadi_real a096, a097, a098, a099, a100, a101, a102, a103, a104, a105, a106, a107;
   casadi_real a108, a109, a110, a111, a112, a113, a114, a115, a116, a117, a118, a119;
   casadi_real a120, a121, a122, a123, a124, a125, a126, a127;
-  a000=arg[0]? arg[0][18] : 0;
-  a001=arg[0]? arg[0][19] : 0;
+  a000=arg[0]? arg[0][14] : 0;
+  a001=arg[0]? arg[0][15] : 0;
   a002=arg[0]? arg[0][12] : 0;
   a003=arg[1]? arg[1][377] : 0;
   a004=arg[2]? arg[2][0] : 0;
@@ -5422,8 +5422,8 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a000=(a000+a001);
   a001=(-a000);
   a005=arg[1]? arg[1][717] : 0;
-  a049=arg[0]? arg[0][21] : 0;
-  a062=arg[0]? arg[0][22] : 0;
+  a049=arg[0]? arg[0][17] : 0;
+  a062=arg[0]? arg[0][18] : 0;
   a072=(a072/a081);
   a086=(a086/a081);
   a072=(a072+a086);
@@ -7428,7 +7428,7 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   if (res[1]!=0) res[1][4]=a065;
   if (res[1]!=0) res[1][5]=a078;
   a078=arg[0]? arg[0][25] : 0;
-  a065=arg[0]? arg[0][14] : 0;
+  a065=arg[0]? arg[0][20] : 0;
   a049=(a078/a065);
   a106=arg[0]? arg[0][39] : 0;
   a045=(a106/a065);
@@ -7436,7 +7436,7 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a049=(a088*a049);
   a049=(a062?a049:0);
   a049=(a005?a049:0);
-  a045=arg[0]? arg[0][17] : 0;
+  a045=arg[0]? arg[0][23] : 0;
   a084=(a078*a045);
   a045=(a106*a045);
   a084=(a084-a045);
@@ -7474,14 +7474,14 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   if (res[1]!=0) res[1][8]=a073;
   if (res[1]!=0) res[1][9]=a094;
   if (res[1]!=0) res[1][10]=a077;
-  a077=arg[0]? arg[0][20] : 0;
+  a077=arg[0]? arg[0][16] : 0;
   a088=(a088*a077);
   a062=(a062?a088:0);
   a005=(a005?a062:0);
   a001=(a001+a005);
   if (res[1]!=0) res[1][11]=a001;
   if (res[1]!=0) res[1][12]=a072;
-  a072=arg[0]? arg[0][23] : 0;
+  a072=arg[0]? arg[0][19] : 0;
   a086=(a086*a072);
   a057=(a057?a086:0);
   a097=(a097?a057:0);
@@ -7611,14 +7611,14 @@ static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   if (res[0]!=0) res[0][5]=a0;
   a0=arg[2]? arg[2][0] : 0;
   a2=arg[0]? arg[0][25] : 0;
-  a1=arg[0]? arg[0][14] : 0;
+  a1=arg[0]? arg[0][20] : 0;
   a3=(a2/a1);
   a4=arg[0]? arg[0][39] : 0;
   a5=(a4/a1);
   a3=(a3+a5);
   a3=(a0*a3);
   a5=arg[2]? arg[2][1] : 0;
-  a6=arg[0]? arg[0][17] : 0;
+  a6=arg[0]? arg[0][23] : 0;
   a7=(a2*a6);
   a6=(a4*a6);
   a7=(a7-a6);
@@ -7664,13 +7664,13 @@ static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a3=arg[2]? arg[2][22] : 0;
   if (res[0]!=0) res[0][10]=a3;
   a3=arg[2]? arg[2][77] : 0;
-  a4=arg[0]? arg[0][20] : 0;
+  a4=arg[0]? arg[0][16] : 0;
   a4=(a0*a4);
   a3=(a3+a4);
   if (res[0]!=0) res[0][11]=a3;
   if (res[0]!=0) res[0][12]=a0;
   a0=arg[2]? arg[2][78] : 0;
-  a3=arg[0]? arg[0][23] : 0;
+  a3=arg[0]? arg[0][19] : 0;
   a3=(a5*a3);
   a0=(a0+a3);
   if (res[0]!=0) res[0][13]=a0;

@@ -344,8 +344,8 @@ static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   wr10 = arg[0] ? arg[0] : casadi_zeros;
   /* #11: @11 = @10[31] */
   w11 = wr10[31];
-  /* #12: @12 = @10[10] */
-  w12 = wr10[10];
+  /* #12: @12 = @10[16] */
+  w12 = wr10[16];
   /* #13: @13 = sq(@12) */
   w13 = casadi_sq( w12 );
   /* #14: @13 = (@11/@13) */
@@ -356,8 +356,8 @@ static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   w15 = casadi_sq( w12 );
   /* #17: @15 = (@14/@15) */
   w15  = (w14/w15);
-  /* #18: @16 = @10[16] */
-  w16 = wr10[16];
+  /* #18: @16 = @10[12] */
+  w16 = wr10[12];
   /* #19: @17 = @10[9] */
   w17 = wr10[9];
   /* #20: @16 = (@16+@17) */
@@ -370,8 +370,8 @@ static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   w13 = (- w13 );
   /* #24: (@9[0] = @13) */
   for (rr=w09+0, cs=(&w13); rr!=w09+1; rr+=1) *rr = *cs++;
-  /* #25: @13 = @10[13] */
-  w13 = wr10[13];
+  /* #25: @13 = @10[19] */
+  w13 = wr10[19];
   /* #26: @15 = (@11*@13) */
   w15  = (w11*w13);
   /* #27: @15 = (@15/@12) */
@@ -442,8 +442,8 @@ static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   w20 = casadi_sq( w13 );
   /* #60: @20 = (@14*@20) */
   w20  = (w14*w20);
-  /* #61: @21 = @10[19] */
-  w21 = wr10[19];
+  /* #61: @21 = @10[15] */
+  w21 = wr10[15];
   /* #62: @20 = (@20+@21) */
   w20 += w21;
   /* #63: @19 = (@19+@20) */
@@ -598,12 +598,12 @@ static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   for (rr=w09+111, cs=(&w24); rr!=w09+112; rr+=1) *rr = *cs++;
   /* #138: @26 = zeros(8x8) */
   casadi_clear(w26, 64);
-  /* #139: @24 = @10[11] */
-  w24 = wr10[11];
+  /* #139: @24 = @10[17] */
+  w24 = wr10[17];
   /* #140: (@26[0] = @24) */
   for (rr=w26+0, cs=(&w24); rr!=w26+1; rr+=1) *rr = *cs++;
-  /* #141: @24 = @10[12] */
-  w24 = wr10[12];
+  /* #141: @24 = @10[18] */
+  w24 = wr10[18];
   /* #142: @24 = (@24*@13) */
   w24 *= w13;
   /* #143: (@26[9] = @24) */
@@ -3842,8 +3842,8 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   casadi_real a096, a097, a098, a099, a100, a101, a102, a103, a104, a105, a106, a107;
   casadi_real a108, a109, a110, a111, a112, a113, a114, a115, a116, a117, a118, a119;
   casadi_real a120, a121;
-  a000=arg[0]? arg[0][14] : 0;
-  a001=arg[0]? arg[0][15] : 0;
+  a000=arg[0]? arg[0][10] : 0;
+  a001=arg[0]? arg[0][11] : 0;
   a002=arg[0]? arg[0][9] : 0;
   a003=arg[1]? arg[1][115] : 0;
   a004=arg[2]? arg[2][0] : 0;
@@ -4651,8 +4651,8 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a000=(a000+a001);
   a001=(-a000);
   a005=arg[1]? arg[1][429] : 0;
-  a080=arg[0]? arg[0][17] : 0;
-  a043=arg[0]? arg[0][18] : 0;
+  a080=arg[0]? arg[0][13] : 0;
+  a043=arg[0]? arg[0][14] : 0;
   a066=(a066/a075);
   a027=(a027/a075);
   a066=(a066+a027);
@@ -5858,14 +5858,14 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   if (res[1]!=0) res[1][7]=a055;
   if (res[1]!=0) res[1][8]=a092;
   if (res[1]!=0) res[1][9]=a059;
-  a059=arg[0]? arg[0][16] : 0;
+  a059=arg[0]? arg[0][12] : 0;
   a058=(a058*a059);
   a043=(a043?a058:0);
   a005=(a005?a043:0);
   a001=(a001+a005);
   if (res[1]!=0) res[1][10]=a001;
   if (res[1]!=0) res[1][11]=a066;
-  a066=arg[0]? arg[0][19] : 0;
+  a066=arg[0]? arg[0][15] : 0;
   a027=(a027*a066);
   a091=(a091?a027:0);
   a047=(a047?a091:0);
@@ -6010,14 +6010,14 @@ static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a2=arg[2]? arg[2][16] : 0;
   if (res[0]!=0) res[0][9]=a2;
   a2=arg[2]? arg[2][71] : 0;
-  a1=arg[0]? arg[0][16] : 0;
+  a1=arg[0]? arg[0][12] : 0;
   a1=(a3*a1);
   a2=(a2+a1);
   if (res[0]!=0) res[0][10]=a2;
   if (res[0]!=0) res[0][11]=a3;
   a3=arg[2]? arg[2][72] : 0;
   a2=arg[2]? arg[2][1] : 0;
-  a1=arg[0]? arg[0][19] : 0;
+  a1=arg[0]? arg[0][15] : 0;
   a1=(a2*a1);
   a3=(a3+a1);
   if (res[0]!=0) res[0][12]=a3;

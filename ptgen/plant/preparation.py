@@ -1,0 +1,125 @@
+"""What the plant computes once from its parameters: the exact solution of its linear part over a step."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import sympy as sp
+
+from ptgen.block.block import Assign, Call, Statement, element
+from ptgen.mechanism.model import Model
+from ptgen.plant.layout import Layout
+from ptgen.plant.signals import PlantSignals
+
+__all__ = ["Preparation"]
+
+_MARGIN = 8.0
+"""Factor by which tuned parameters may raise the norm of the exponential's argument."""
+
+
+class Preparation:
+    """The statements of the section ``prepare``.
+
+    Parameters
+    ----------
+    model : Model
+    layout : Layout
+    signals : PlantSignals
+    sample_time : float
+        Nominal step (s); decides how often the exponential is squared.
+    """
+
+    def __init__(self, model: Model, layout: Layout, signals: PlantSignals, sample_time: float) -> None:
+        self.model = model
+        self.layout = layout
+        self.signals = signals
+        self.sample_time = sample_time
+
+    def statements(self) -> tuple[Statement, ...]:
+        """Return the statements in order."""
+        layout, model = self.layout, self.model
+        n, n_z, n_e, n_u, n_f = layout.n, layout.n_z, layout.n_e, layout.n_u, layout.n_f
+        h = sp.Symbol("sample_time", positive=True)
+        statements: list[Statement] = list(_assign_matrix("mass", model.mass, "M = S' I S"))
+        forces = model.forces()
+        joined = sp.Matrix.hstack(forces.z, forces.e, forces.u, forces.f)
+        statements += _assign_matrix("forces", joined, "M dz/dt = B' u - E'(C e + D E z) - G'(T + k_v G z)")
+        statements.append(Call("cholesky_solve", ("rates",), ("mass", "forces")))
+        statements.append(Call("insert", ("A",), ("A", "rates"), numbers=(0, 0, 0, n_z + n_e)))
+        statements += _assign_matrix("A", model.twist_rows, "de/dt = E z", row=n_z)
+        for i, torque in enumerate(model.inputs):
+            column = layout.air_gap(i)
+            statements.append(Call("insert", ("A",), ("A", "rates"), numbers=(0, column, n_z + n_e + i, 1)))
+            if torque.drive.time_constant is not None:
+                rate = 1 / torque.drive.time_constant
+                statements.append(Assign(str(element("A", column, column)), -rate, "lag of the torque loop"))
+                statements.append(Assign(str(element("A", column, n + i)), rate))
+        if n_f:
+            numbers = (0, n + n_u, n_z + n_e + n_u, n_f)
+            statements.append(Call("insert", ("A",), ("A", "rates"), numbers=numbers))
+        for i in range(n + n_u + n_f):
+            is_twist = n_z <= i < n_z + n_e
+            statements.append(Assign(str(element("scale", i)), h if is_twist else sp.Integer(1)))
+        squarings = self._squarings()
+        statements.append(
+            Call("discretise", ("whole",), ("A", "scale", "sample_time"), "exact discretisation", (squarings,))
+        )
+        statements.append(Call("insert", ("transition",), ("transition", "whole"), numbers=(0, 0, 0, n)))
+        for i, torque in enumerate(model.inputs):
+            statements += self._input_columns(i, torque.name, torque.drive.dead_time, h, squarings)
+        if n_f:
+            statements.append(Call("insert", ("gamma_f",), ("gamma_f", "whole"), numbers=(0, 0, n + n_u, n_f)))
+            statements += [
+                Assign(str(element("K", i, j)), -element("whole", i, n + n_u + j), "K = -G Gamma_f")
+                for i in range(n_f)
+                for j in range(n_f)
+            ]
+            statements.append(Call("require_definite", (), ("K",), "friction torques are unique"))
+        for name, form in self.signals.accelerated().items():
+            for j in range(n_z + n_e + n_u + n_f):
+                total = sum((form.a[k] * element("rates", k, j) for k in range(n_z) if form.a[k] != 0), sp.Integer(0))
+                statements.append(Assign(str(element(f"{name}_reaction", j)), total, "d'Alembert"))
+        return tuple(statements)
+
+    def _input_columns(
+        self, i: int, name: str, dead_time: sp.Expr | None, h: sp.Symbol, squarings: int
+    ) -> list[Statement]:
+        layout = self.layout
+        column = layout.n + i
+        steps = sp.Symbol(f"{name}_dead_steps", real=True)
+        if dead_time is None:
+            return [
+                Assign(steps.name, sp.Integer(0)),
+                Call("insert", ("transition",), ("transition", "whole"), numbers=(0, layout.late(i), column, 1)),
+            ]
+        part = f"{name}_late_time"
+        return [
+            Assign(steps.name, sp.floor(dead_time / h + sp.Float(1e-6)), "dead time = (d + f) h"),
+            Assign(part, h - sp.Max(0, dead_time - steps * h), "the late command acts for (1 - f) h"),
+            Call("discretise", ("late",), ("A", "scale", part), numbers=(squarings,)),
+            Call("difference", ("early",), ("whole", "late")),
+            Call("insert", ("transition",), ("transition", "late"), numbers=(0, layout.late(i), column, 1)),
+            Call("insert", ("transition",), ("transition", "early"), numbers=(0, layout.early(i), column, 1)),
+        ]
+
+    def _squarings(self) -> int:
+        """Return how often the exponential is squared: enough for the nominal parameters, with a margin."""
+        A, B, F = self.model.numeric().state_matrices()
+        n_z = self.layout.n_z
+        scale = np.ones(A.shape[0])
+        scale[n_z:] = self.sample_time
+        joined = np.hstack([A * scale[None, :], B, F]) / scale[:, None] * self.sample_time
+        values = self.model.values
+        lags = [self.sample_time / values[t.drive.time_constant] for t in self.model.inputs if t.drive.time_constant]
+        norm = max(float(np.abs(joined).sum(axis=0).max()), 2 * max(lags, default=0.0))
+        return max(0, math.ceil(math.log2(_MARGIN * norm)))
+
+
+def _assign_matrix(name: str, matrix: sp.Matrix, source: str, row: int = 0) -> list[Assign]:
+    return [
+        Assign(str(element(name, row + i, j)), matrix[i, j], source)
+        for i in range(matrix.shape[0])
+        for j in range(matrix.shape[1])
+        if matrix[i, j] != 0
+    ]

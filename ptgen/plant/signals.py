@@ -1,0 +1,89 @@
+"""What the plant puts out, as expressions of its state array."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import sympy as sp
+
+from ptgen.block.block import Assign, Signal, Statement, element
+from ptgen.mechanism.model import LinearForm, Model
+from ptgen.plant.layout import Layout, signal_name
+
+__all__ = ["PlantSignals"]
+
+
+class PlantSignals:
+    """Sensors, observed torques and friction elements of a plant.
+
+    Parameters
+    ----------
+    model : Model
+    layout : Layout
+    """
+
+    def __init__(self, model: Model, layout: Layout) -> None:
+        self.model = model
+        self.layout = layout
+
+    def accelerated(self) -> dict[str, LinearForm]:
+        """Return the signals that depend on accelerations."""
+        return {name: form for name, form in self.torques().items() if form.needs_acceleration}
+
+    def torques(self) -> dict[str, LinearForm]:
+        """Return every measured and observed signal, by its name in the emitted code."""
+        signals = self.model.signals
+        sensors = {sensor.name: signals[sensor.name] for sensor in self.model.sensors}
+        places = {signal_name(name): form for name, form in signals.items() if name not in sensors}
+        return {**sensors, **{name: form for name, form in places.items() if name not in sensors}}
+
+    def over_coordinates(self, row: sp.Matrix) -> sp.Expr:
+        """Return a row over the coordinates as an expression of the state array."""
+        return sum((row[k] * element("x", k) for k in range(self.layout.n_z) if row[k] != 0), sp.Integer(0))
+
+    def over(self, name: str, form: LinearForm, x: Callable[[int], sp.Expr]) -> sp.Expr:
+        """Return a linear form as an expression; `x` gives the entries of the state array."""
+        layout = self.layout
+        variables: list[sp.Expr] = [
+            *(x(k) for k in range(layout.n_z + layout.n_e)),
+            *(x(layout.air_gap(i)) for i in range(layout.n_u)),
+            *(element("friction_torque", j) for j in range(layout.n_f)),
+        ]
+        coefficients = [*form.z, *form.e, *form.u, *form.f]
+        reaction = [
+            element(f"{name}_reaction", j) if form.needs_acceleration else sp.Integer(0) for j in range(len(variables))
+        ]
+        return sum(
+            ((c + r) * v for c, r, v in zip(coefficients, reaction, variables, strict=True) if c != 0 or r != 0),
+            sp.Integer(0),
+        )
+
+    def measure(self) -> tuple[Statement, ...]:
+        """Return the statements of the section ``measure``."""
+        layout, model = self.layout, self.model
+
+        def x(k: int) -> sp.Expr:
+            return element("x", k)
+
+        statements: list[Statement] = [Assign(name, self.over(name, form, x)) for name, form in self.torques().items()]
+        for i, torque in enumerate(model.inputs):
+            statements.append(Assign(f"{torque.name}_torque", element("x", layout.air_gap(i))))
+        for i, friction in enumerate(model.frictions):
+            name = friction.name.replace(".", "_")
+            torque_now = element("friction_torque", i) + friction.viscous * element("x", i)
+            statements += [Assign(f"{name}_torque", torque_now), Assign(f"{name}_speed", element("x", i))]
+        return tuple(statements)
+
+    def outputs(self) -> tuple[Signal, ...]:
+        """Return the outputs of the block."""
+        outputs = []
+        for name in self.torques():
+            unit = "rad/s" if name.endswith("_speed") else "N m"
+            outputs.append(Signal(name, unit, "measured or observed, positive to the right"))
+        for torque in self.model.inputs:
+            outputs.append(Signal(f"{torque.name}_torque", "N m", f"air-gap torque of {torque.name}"))
+        for friction in self.model.frictions:
+            name = friction.name.replace(".", "_")
+            outputs.append(Signal(f"{name}_torque", "N m", f"torque of the friction element {friction.name}"))
+            outputs.append(Signal(f"{name}_speed", "rad/s", f"velocity of the friction element {friction.name}"))
+        return tuple(outputs)
