@@ -17,10 +17,12 @@ from dataclasses import replace
 import sympy as sp
 
 from ptgen.block.block import Assign, Block, Call, Signal, Statement, element
+from ptgen.block.numpy_evaluator import NumpyBlock
 from ptgen.elements import Parameter
 from ptgen.errors import ModelError, Problem
 from ptgen.friction.box import MAX_ELEMENTS
-from ptgen.mechanism.model import LinearForm, Model
+from ptgen.mechanism.model import LinearForm, Model, evaluate_matrix
+from ptgen.mechanism.modes import modes
 from ptgen.plant.layout import Layout, signal_name
 from ptgen.plant.preparation import Preparation
 from ptgen.plant.signals import PlantSignals
@@ -47,9 +49,37 @@ def plant_block(model: Model, sample_time: float) -> Block:
     Raises
     ------
     ModelError
-        If the bed has more friction elements than there are closed forms, or elements that hold one motion.
+        If the bed has more friction elements than there are closed forms, or elements that hold one motion, or a
+        mode that is too fast for the step.
     """
-    return _Plant(model, sample_time).block()
+    block = _Plant(model, sample_time).block()
+    evaluator = NumpyBlock(block)
+    try:
+        evaluator.prepare(evaluator.defaults())
+    except ValueError:
+        raise _too_fast(model, sample_time) from None
+    return block
+
+
+def _too_fast(model: Model, sample_time: float) -> ModelError:
+    """Return the error for a mode that is too fast for the step, with the shaft that makes it so."""
+    fastest = modes(model)[-1]
+    numeric = model.numeric()
+    strain = {
+        name: float((evaluate_matrix(row, model.values)[0] @ numeric.twist_rows @ fastest.vector) ** 2)
+        * float(evaluate_matrix(sp.Matrix([[model.spring_stiffness[name]]]), model.values)[0, 0])
+        for name, row in model.spring_rows.items()
+    }
+    shaft = max(strain, key=lambda name: strain[name])
+    what = (
+        f"is too long for the mode at {fastest.frequency_hz:.4g} Hz, whose friction could not be solved any more "
+        f"(half the sampling rate is {0.5 / sample_time:.4g} Hz)"
+    )
+    remedy = (
+        f"connect the flanges of {shaft}, which is the stiff part of that mode, directly instead; or raise the "
+        f"inertias beside it; or take a sample_time of {1e6 / (4 * fastest.frequency_hz):.2g} us or less"
+    )
+    return ModelError(Problem("testbed.sample_time", what, remedy))
 
 
 class _Plant:
