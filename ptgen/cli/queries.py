@@ -28,6 +28,7 @@ def check(file: BedFile, as_json: AsJson = False) -> None:
     from ptgen.report.plain import bed_json
 
     project = Project.read(file)
+    project.blocks()  # every stage that could find a problem
     found = bed_json(project)
     if as_json:
         print_json(found)

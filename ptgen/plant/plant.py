@@ -14,6 +14,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+import numpy as np
 import sympy as sp
 
 from ptgen.block.block import Assign, Block, Call, Signal, Statement, element
@@ -22,7 +23,7 @@ from ptgen.elements import Parameter
 from ptgen.errors import ModelError, Problem
 from ptgen.friction.box import MAX_ELEMENTS
 from ptgen.mechanism.model import LinearForm, Model, evaluate_matrix
-from ptgen.mechanism.modes import modes
+from ptgen.mechanism.modes import Mode, modes
 from ptgen.plant.layout import Layout, signal_name
 from ptgen.plant.preparation import Preparation
 from ptgen.plant.signals import PlantSignals
@@ -63,8 +64,15 @@ def plant_block(model: Model, sample_time: float) -> Block:
 
 def _too_fast(model: Model, sample_time: float) -> ModelError:
     """Return the error for a mode that is too fast for the step, with the shaft that makes it so."""
-    fastest = modes(model)[-1]
     numeric = model.numeric()
+
+    def taken(mode: Mode) -> float:
+        """Return the friction velocity that a mode loses over a step per friction torque; negative if it is too fast."""
+        omega = 2 * np.pi * mode.frequency_hz
+        size = float(np.sum((numeric.friction_rows @ mode.vector) ** 2))
+        return size * (float(np.sin(omega * sample_time)) / omega if omega > 0 else sample_time)
+
+    fastest = min(modes(model), key=taken)
     strain = {
         name: float((evaluate_matrix(row, model.values)[0] @ numeric.twist_rows @ fastest.vector) ** 2)
         * float(evaluate_matrix(sp.Matrix([[model.spring_stiffness[name]]]), model.values)[0, 0])
@@ -77,7 +85,7 @@ def _too_fast(model: Model, sample_time: float) -> ModelError:
     )
     remedy = (
         f"connect the flanges of {shaft}, which is the stiff part of that mode, directly instead; or raise the "
-        f"inertias beside it; or take a sample_time of {1e6 / (4 * fastest.frequency_hz):.2g} us or less"
+        f"inertias beside it; or take a sample_time of {1e6 / (4 * fastest.frequency_hz):.0f} us or less"
     )
     return ModelError(Problem("testbed.sample_time", what, remedy))
 
