@@ -28,6 +28,7 @@ check-style: $(VENV)/dev
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 	$(BIN)/python docs/make_equations.py --check
+	$(BIN)/clang-format --dry-run -Werror generated/*/*.h generated/*/*_support.c generated/*/*_run.c generated/*/*_main.c
 
 # Emit the committed projects anew.
 generated: $(VENV)/demo

@@ -186,56 +186,57 @@ back_to_back_controller_status back_to_back_controller_step(back_to_back_control
     s->fault = ((s->fault < 0.5 && flange2_torque_sound < 0.5) ? 5.0 : s->fault);
     s->fault = ((M2_speed_sound < 0.5 && s->fault < 0.5) ? 6.0 : s->fault);
     /* torque-speed envelope, Figure 7.1 */
-    const back_to_back_real M1_available = p->M1_speed_rated*p->M1_torque_max/back_to_back_max(p->M1_speed_rated,
-        back_to_back_abs(s->M1_speed_held));
-    const back_to_back_real M2_available = p->M2_speed_rated*p->M2_torque_max/back_to_back_max(p->M2_speed_rated,
-        back_to_back_abs(s->M2_speed_held));
+    const back_to_back_real M1_available = p->M1_speed_rated * p->M1_torque_max /
+        back_to_back_max(p->M1_speed_rated, back_to_back_abs(s->M1_speed_held));
+    const back_to_back_real M2_available = p->M2_speed_rated * p->M2_torque_max /
+        back_to_back_max(p->M2_speed_rated, back_to_back_abs(s->M2_speed_held));
     const back_to_back_real M2_speed_error = -s->M2_speed_held + s->M2_speed_ref_held;
     /* PI speed control (5.84) */
-    const back_to_back_real M2_asked = M2_speed_error*p->M2_speed_gain + s->M2_speed_integral;
+    const back_to_back_real M2_asked = M2_speed_error * p->M2_speed_gain + s->M2_speed_integral;
     /* load torque compensation (5.52), (5.74) */
-    const back_to_back_real M2_compensation = -s->flange2_torque_held*p->load_compensation;
+    const back_to_back_real M2_compensation = -s->flange2_torque_held * p->load_compensation;
     /* torque-speed envelope */
     const back_to_back_real M2_command = back_to_back_max(-M2_available, back_to_back_min(M2_available, M2_asked +
         M2_compensation));
     /* what the limit leaves of it */
     const back_to_back_real M2_virtual = M2_command - M2_compensation;
     /* conditioning anti-windup */
-    s->M2_speed_integral = s->M2_speed_integral + p->M2_speed_integral_gain*p->sample_time*(M2_speed_error +
-        (-M2_asked + M2_virtual)/p->M2_speed_gain);
+    s->M2_speed_integral = s->M2_speed_integral + p->M2_speed_integral_gain * p->sample_time * (M2_speed_error +
+        (-M2_asked + M2_virtual) / p->M2_speed_gain);
     /* testing torque from the sensors (5.95), (5.98) */
-    const back_to_back_real flange1_torque_estimate =
-        p->M1_sensor_inertia_M2*M2_virtual*p->load_compensation/p->M2_inertia + s->flange1_torque_held;
+    const back_to_back_real flange1_torque_estimate = p->M1_sensor_inertia_M2 * M2_virtual * p->load_compensation /
+        p->M2_inertia + s->flange1_torque_held;
     /* torque model (5.57), (5.76) */
-    s->M1_model_rate = s->M1_model_rate + p->sample_time*(-p->M1_model_damping*s->M1_model_rate +
-        p->M1_model_stiffness*(-s->M1_model_torque + s->flange1_torque_ref_held))/p->M1_inertia_estimate;
-    s->M1_model_torque = s->M1_model_rate*p->sample_time + s->M1_model_torque;
-    const back_to_back_real M1_torque_error = s->M1_model_torque*p->M1_torque_model - flange1_torque_estimate +
-        s->flange1_torque_ref_held*(1.0 - p->M1_torque_model);
+    s->M1_model_rate = s->M1_model_rate + p->sample_time * (-p->M1_model_damping * s->M1_model_rate +
+        p->M1_model_stiffness * (-s->M1_model_torque + s->flange1_torque_ref_held)) / p->M1_inertia_estimate;
+    s->M1_model_torque = s->M1_model_rate * p->sample_time + s->M1_model_torque;
+    const back_to_back_real M1_torque_error = s->M1_model_torque * p->M1_torque_model - flange1_torque_estimate +
+        s->flange1_torque_ref_held * (1.0 - p->M1_torque_model);
     /* torque control (5.99) */
-    const back_to_back_real M1_virtual = p->M1_feedforward*s->flange1_torque_ref_held +
-        M1_torque_error*p->M1_torque_gain + s->M1_torque_integral;
+    const back_to_back_real M1_virtual = p->M1_feedforward * s->flange1_torque_ref_held + M1_torque_error *
+        p->M1_torque_gain + s->M1_torque_integral;
     /* with the acceleration torque (5.62), (5.78) */
-    const back_to_back_real M1_wanted = p->M1_inertia_estimate*M2_virtual*p->acceleration_torque/p->M2_inertia +
-        M1_virtual;
+    const back_to_back_real M1_wanted = p->M1_inertia_estimate * M2_virtual * p->acceleration_torque / p->M2_inertia
+        + M1_virtual;
     /* reserve for active damping */
-    const back_to_back_real M1_kept = back_to_back_max(-M1_available*(1.0 - p->M1_damping_reserve),
-        back_to_back_min(M1_wanted, M1_available*(1.0 - p->M1_damping_reserve)));
+    const back_to_back_real M1_kept = back_to_back_max(-M1_available * (1.0 - p->M1_damping_reserve),
+        back_to_back_min(M1_wanted, M1_available * (1.0 - p->M1_damping_reserve)));
     /* active damping (5.62), (5.78) */
-    const back_to_back_real M1_damping_torque = -p->M1_damping*s->M1_speed_held + p->M1_damping*s->M2_speed_held;
+    const back_to_back_real M1_damping_torque = -p->M1_damping * s->M1_speed_held + p->M1_damping *
+        s->M2_speed_held;
     /* torque-speed envelope */
     const back_to_back_real M1_command = back_to_back_max(-M1_available, back_to_back_min(M1_available,
         M1_damping_torque + M1_kept));
     /* limited integrator */
-    s->M1_torque_integral = ((M1_torque_error*(-M1_kept + M1_wanted) > 0.0) ? s->M1_torque_integral :
-        back_to_back_max(-p->M1_torque_integral_limit, back_to_back_min(p->M1_torque_integral_limit,
-        M1_torque_error*p->M1_torque_integral_gain*p->sample_time + s->M1_torque_integral)));
+    s->M1_torque_integral = ((M1_torque_error * (-M1_kept + M1_wanted) > 0.0) ? s->M1_torque_integral :
+        back_to_back_max(-p->M1_torque_integral_limit, back_to_back_min(p->M1_torque_integral_limit, M1_torque_error
+        * p->M1_torque_integral_gain * p->sample_time + s->M1_torque_integral)));
     /* ramp to zero torque */
-    s->authority = ((s->fault > 0.5) ? back_to_back_max(0.0, s->authority - p->sample_time/p->fault_ramp) :
+    s->authority = ((s->fault > 0.5) ? back_to_back_max(0.0, s->authority - p->sample_time / p->fault_ramp) :
         s->authority);
     s->M1_last = ((s->fault > 0.5) ? s->M1_last : M1_command);
-    out->M1_torque_ref = s->M1_last*s->authority;
+    out->M1_torque_ref = s->M1_last * s->authority;
     s->M2_last = ((s->fault > 0.5) ? s->M2_last : M2_command);
-    out->M2_torque_ref = s->M2_last*s->authority;
+    out->M2_torque_ref = s->M2_last * s->authority;
     return (back_to_back_controller_status)s->fault;
 }

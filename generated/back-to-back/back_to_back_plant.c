@@ -151,11 +151,11 @@ back_to_back_plant_status back_to_back_plant_update(back_to_back_plant_state *s,
     A[3][6] = -1.0;
     back_to_back_insert(4, 12, 4, 0, 7, 7, 1, &A[0][0], &rates[0][0]);
     /* lag of the torque loop */
-    A[7][7] = -1.0/p->M1_inverter_time_constant;
-    A[9][7] = 1.0/p->M1_inverter_time_constant;
+    A[7][7] = -1.0 / p->M1_inverter_time_constant;
+    A[9][7] = 1.0 / p->M1_inverter_time_constant;
     back_to_back_insert(4, 12, 4, 0, 8, 8, 1, &A[0][0], &rates[0][0]);
-    A[8][8] = -1.0/p->M2_inverter_time_constant;
-    A[10][8] = 1.0/p->M2_inverter_time_constant;
+    A[8][8] = -1.0 / p->M2_inverter_time_constant;
+    A[10][8] = 1.0 / p->M2_inverter_time_constant;
     scale[0] = 1.0;
     scale[1] = 1.0;
     scale[2] = 1.0;
@@ -173,10 +173,10 @@ back_to_back_plant_status back_to_back_plant_update(back_to_back_plant_state *s,
     }
     back_to_back_insert(9, 12, 12, 0, 0, 0, 9, &s->transition[0][0], &whole[0][0]);
     /* dead time = (d + f) h */
-    s->M1_dead_steps = back_to_back_floor(p->M1_inverter_dead_time/p->sample_time + 1e-06);
+    s->M1_dead_steps = back_to_back_floor(p->M1_inverter_dead_time / p->sample_time + 1e-06);
     /* the late command acts for (1 - f) h */
-    const back_to_back_real M1_late_time = p->sample_time - back_to_back_max(0.0, -s->M1_dead_steps*p->sample_time +
-        p->M1_inverter_dead_time);
+    const back_to_back_real M1_late_time = p->sample_time - back_to_back_max(0.0, -s->M1_dead_steps * p->sample_time
+        + p->M1_inverter_dead_time);
     if (!back_to_back_discretise(9, 11, 5, &A[0][0], scale, M1_late_time, &late[0][0])) {
         return back_to_back_plant_exponential_range;
     }
@@ -184,10 +184,10 @@ back_to_back_plant_status back_to_back_plant_update(back_to_back_plant_state *s,
     back_to_back_insert(9, 12, 12, 0, 9, 9, 1, &s->transition[0][0], &late[0][0]);
     back_to_back_insert(9, 12, 12, 0, 11, 9, 1, &s->transition[0][0], &early[0][0]);
     /* dead time = (d + f) h */
-    s->M2_dead_steps = back_to_back_floor(p->M2_inverter_dead_time/p->sample_time + 1e-06);
+    s->M2_dead_steps = back_to_back_floor(p->M2_inverter_dead_time / p->sample_time + 1e-06);
     /* the late command acts for (1 - f) h */
-    const back_to_back_real M2_late_time = p->sample_time - back_to_back_max(0.0, -s->M2_dead_steps*p->sample_time +
-        p->M2_inverter_dead_time);
+    const back_to_back_real M2_late_time = p->sample_time - back_to_back_max(0.0, -s->M2_dead_steps * p->sample_time
+        + p->M2_inverter_dead_time);
     if (!back_to_back_discretise(9, 11, 5, &A[0][0], scale, M2_late_time, &late[0][0])) {
         return back_to_back_plant_exponential_range;
     }
@@ -200,8 +200,10 @@ back_to_back_plant_status back_to_back_plant_update(back_to_back_plant_state *s,
 void back_to_back_plant_measure(const back_to_back_plant_state *s, const back_to_back_plant_params *p, back_to_back_plant_outputs *out)
 {
     out->M1_speed = s->x[0];
-    out->flange1_torque = p->flange1_damping*s->x[0] - p->flange1_damping*s->x[2] + p->flange1_stiffness*s->x[4];
-    out->flange2_torque = -p->flange2_damping*s->x[1] + p->flange2_damping*s->x[3] - p->flange2_stiffness*s->x[6];
+    out->flange1_torque = p->flange1_damping * s->x[0] - p->flange1_damping * s->x[2] + p->flange1_stiffness *
+        s->x[4];
+    out->flange2_torque = -p->flange2_damping * s->x[1] + p->flange2_damping * s->x[3] - p->flange2_stiffness *
+        s->x[6];
     out->M2_speed = s->x[1];
     out->M1_torque = s->x[7];
     out->M2_torque = s->x[8];
@@ -220,15 +222,15 @@ back_to_back_plant_status back_to_back_plant_step(back_to_back_plant_state *s, c
     back_to_back_zero(sizeof x_free, x_free);
     
     /* torque-speed envelope, Figure 7.1 */
-    const back_to_back_real M1_available = p->M1_speed_rated*p->M1_torque_max/back_to_back_max(p->M1_speed_rated,
-        back_to_back_abs(s->x[0]));
+    const back_to_back_real M1_available = p->M1_speed_rated * p->M1_torque_max /
+        back_to_back_max(p->M1_speed_rated, back_to_back_abs(s->x[0]));
     const back_to_back_real M1_limited = back_to_back_max(-M1_available, back_to_back_min(M1_available,
         in->M1_torque_ref));
     /* dead time of the torque loop */
     back_to_back_delay(16, s->M1_delay, M1_limited, s->M1_dead_steps, &s->x[9], &s->x[11]);
     /* torque-speed envelope, Figure 7.1 */
-    const back_to_back_real M2_available = p->M2_speed_rated*p->M2_torque_max/back_to_back_max(p->M2_speed_rated,
-        back_to_back_abs(s->x[1]));
+    const back_to_back_real M2_available = p->M2_speed_rated * p->M2_torque_max /
+        back_to_back_max(p->M2_speed_rated, back_to_back_abs(s->x[1]));
     const back_to_back_real M2_limited = back_to_back_max(-M2_available, back_to_back_min(M2_available,
         in->M2_torque_ref));
     /* dead time of the torque loop */

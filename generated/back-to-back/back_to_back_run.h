@@ -10,7 +10,8 @@
 #include "back_to_back_controller.h"
 #include "back_to_back_plant.h"
 
-enum { back_to_back_reference_count = 2, back_to_back_signal_count = 11 };
+enum { back_to_back_reference_count = 2 };
+enum { back_to_back_signal_count = 11 };
 
 /* Names of the references, and of the recorded signals in their order. */
 extern const char *const back_to_back_reference_names[back_to_back_reference_count];

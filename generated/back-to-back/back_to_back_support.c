@@ -78,7 +78,7 @@ int back_to_back_require_definite(int n, const real *K)
 }
 
 void back_to_back_insert(int rows, int target_stride, int source_stride, int row, int column, int first, int count,
-                         real *target, const real *source)
+    real *target, const real *source)
 {
     for (int c = 0; c < count; ++c) {
         for (int i = 0; i < rows; ++i) {

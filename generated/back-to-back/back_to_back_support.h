@@ -51,7 +51,7 @@ int back_to_back_require_definite(int n, const back_to_back_real *K);
 
 /* Copies `count` columns of `source` (rows, .), from column `first` on, to (row, column) of `target`. */
 void back_to_back_insert(int rows, int target_stride, int source_stride, int row, int column, int first, int count,
-                         back_to_back_real *target, const back_to_back_real *source);
+    back_to_back_real *target, const back_to_back_real *source);
 
 /* C = A - B, all (rows, columns). */
 void back_to_back_difference(int rows, int columns, const back_to_back_real *A, const back_to_back_real *B, back_to_back_real *C);
@@ -61,14 +61,14 @@ void back_to_back_difference(int rows, int columns, const back_to_back_real *A, 
  * 18 with `squarings` squarings. Fails if the argument is too large for them.
  */
 int back_to_back_discretise(int n, int total, int squarings, const back_to_back_real *A, const back_to_back_real *scale,
-                            back_to_back_real t, back_to_back_real *E);
+    back_to_back_real t, back_to_back_real *E);
 
 /*
  * y = A x for A (n, m); runs over four rows and two columns at a time, the padding included: eight independent sums
  * keep the processor busy where one would wait for each addition.
  */
 static inline void back_to_back_multiply(int n, int m, const back_to_back_real *restrict A, const back_to_back_real *restrict x,
-                                         back_to_back_real *restrict y)
+    back_to_back_real *restrict y)
 {
     const int rows = back_to_back_padded(n);
     for (int i = 0; i < rows; i += 4) {
@@ -102,7 +102,7 @@ static inline void back_to_back_multiply(int n, int m, const back_to_back_real *
 
 /* y = x + A T for A (n, m). */
 static inline void back_to_back_add_product(int n, int m, back_to_back_real *restrict y, const back_to_back_real *restrict x,
-                                                 const back_to_back_real *restrict A, const back_to_back_real *restrict T)
+    const back_to_back_real *restrict A, const back_to_back_real *restrict T)
 {
     const int rows = back_to_back_padded(n);
     for (int i = 0; i < n; ++i) {
@@ -116,7 +116,7 @@ static inline void back_to_back_add_product(int n, int m, back_to_back_real *res
 
 /* Pushes `value` into a delay line; `late` is the value of `steps` steps ago, `early` the one of a step before. */
 static inline void back_to_back_delay(int capacity, back_to_back_real *line, back_to_back_real value, back_to_back_real steps,
-                                      back_to_back_real *late, back_to_back_real *early)
+    back_to_back_real *late, back_to_back_real *early)
 {
     const int depth = (int)steps;
     *late = depth == 0 ? value : line[depth - 1];
@@ -129,7 +129,7 @@ static inline void back_to_back_delay(int capacity, back_to_back_real *line, bac
 
 /* Takes `value` if it is finite and at most `bound` in size, else leaves what was held; `sound` is 1 or 0. */
 static inline void back_to_back_guard(back_to_back_real value, back_to_back_real bound, back_to_back_real before, back_to_back_real *held,
-                                      back_to_back_real *sound)
+    back_to_back_real *sound)
 {
     const int good = back_to_back_abs(value) <= bound; /* false for NaN */
     *held = good ? value : before;
@@ -141,6 +141,6 @@ static inline void back_to_back_guard(back_to_back_real value, back_to_back_real
  * negative only where T_i = -m_i, else exactly zero. Closed forms for one and two elements.
  */
 void back_to_back_solve_box(int n, const back_to_back_real *K, const back_to_back_real *w, const back_to_back_real *m,
-                            back_to_back_real *T, back_to_back_real *w_plus);
+    back_to_back_real *T, back_to_back_real *w_plus);
 
 #endif

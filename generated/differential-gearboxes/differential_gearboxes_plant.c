@@ -190,7 +190,7 @@ differential_gearboxes_plant_status differential_gearboxes_plant_update(differen
     
     /* M = S' I S */
     mass[0][0] = p->diff_inertia;
-    mass[1][1] = p->diff_inertia_pinion*p->diff_pinion_ratio;
+    mass[1][1] = p->diff_inertia_pinion * p->diff_pinion_ratio;
     mass[2][2] = p->M1_inertia;
     mass[3][3] = p->M2_inertia;
     mass[4][4] = p->M3_inertia;
@@ -201,25 +201,25 @@ differential_gearboxes_plant_status differential_gearboxes_plant_update(differen
     mass[9][9] = p->gearbox3_inertia;
     mass[10][10] = p->flange3_inertia;
     /* M dz/dt = B' u - E'(C e + D E z) - G'(T + k_v G z) */
-    forces[0][0] = -p->cardan1_damping - p->cardan2_damping/(p->diff_ratio*p->diff_ratio) -
-        p->cardan3_damping/(p->diff_ratio*p->diff_ratio) - p->diff_loss_viscous;
-    forces[1][0] = -p->cardan2_damping*p->diff_pinion_ratio/p->diff_ratio +
-        p->cardan3_damping*p->diff_pinion_ratio/p->diff_ratio;
-    forces[6][0] = p->cardan1_damping/p->gearbox1_ratio;
-    forces[7][0] = p->cardan2_damping/(p->diff_ratio*p->gearbox2_ratio);
-    forces[9][0] = p->cardan3_damping/(p->diff_ratio*p->gearbox3_ratio);
+    forces[0][0] = -p->cardan1_damping - p->cardan2_damping / (p->diff_ratio * p->diff_ratio) - p->cardan3_damping /
+        (p->diff_ratio * p->diff_ratio) - p->diff_loss_viscous;
+    forces[1][0] = -p->cardan2_damping * p->diff_pinion_ratio / p->diff_ratio + p->cardan3_damping *
+        p->diff_pinion_ratio / p->diff_ratio;
+    forces[6][0] = p->cardan1_damping / p->gearbox1_ratio;
+    forces[7][0] = p->cardan2_damping / (p->diff_ratio * p->gearbox2_ratio);
+    forces[9][0] = p->cardan3_damping / (p->diff_ratio * p->gearbox3_ratio);
     forces[13][0] = p->cardan1_stiffness;
-    forces[14][0] = -p->cardan2_stiffness/(p->diff_ratio*p->diff_ratio);
-    forces[17][0] = -p->cardan3_stiffness/(p->diff_ratio*p->diff_ratio);
+    forces[14][0] = -p->cardan2_stiffness / (p->diff_ratio * p->diff_ratio);
+    forces[17][0] = -p->cardan3_stiffness / (p->diff_ratio * p->diff_ratio);
     forces[23][0] = -1.0;
-    forces[0][1] = -p->cardan2_damping*p->diff_pinion_ratio/p->diff_ratio +
-        p->cardan3_damping*p->diff_pinion_ratio/p->diff_ratio;
-    forces[1][1] = -p->cardan2_damping*(p->diff_pinion_ratio*p->diff_pinion_ratio) -
-        p->cardan3_damping*(p->diff_pinion_ratio*p->diff_pinion_ratio) - p->diff_limited_slip_viscous;
-    forces[7][1] = p->cardan2_damping*p->diff_pinion_ratio/p->gearbox2_ratio;
-    forces[9][1] = -p->cardan3_damping*p->diff_pinion_ratio/p->gearbox3_ratio;
-    forces[14][1] = -p->cardan2_stiffness*p->diff_pinion_ratio/p->diff_ratio;
-    forces[17][1] = p->cardan3_stiffness*p->diff_pinion_ratio/p->diff_ratio;
+    forces[0][1] = -p->cardan2_damping * p->diff_pinion_ratio / p->diff_ratio + p->cardan3_damping *
+        p->diff_pinion_ratio / p->diff_ratio;
+    forces[1][1] = -p->cardan2_damping * (p->diff_pinion_ratio * p->diff_pinion_ratio) - p->cardan3_damping *
+        (p->diff_pinion_ratio * p->diff_pinion_ratio) - p->diff_limited_slip_viscous;
+    forces[7][1] = p->cardan2_damping * p->diff_pinion_ratio / p->gearbox2_ratio;
+    forces[9][1] = -p->cardan3_damping * p->diff_pinion_ratio / p->gearbox3_ratio;
+    forces[14][1] = -p->cardan2_stiffness * p->diff_pinion_ratio / p->diff_ratio;
+    forces[17][1] = p->cardan3_stiffness * p->diff_pinion_ratio / p->diff_ratio;
     forces[24][1] = -1.0;
     forces[2][2] = -p->flange1_damping;
     forces[5][2] = p->flange1_damping;
@@ -238,27 +238,27 @@ differential_gearboxes_plant_status differential_gearboxes_plant_update(differen
     forces[6][5] = p->shaft1_damping;
     forces[11][5] = p->flange1_stiffness;
     forces[12][5] = -p->shaft1_stiffness;
-    forces[0][6] = p->cardan1_damping/p->gearbox1_ratio;
+    forces[0][6] = p->cardan1_damping / p->gearbox1_ratio;
     forces[5][6] = p->shaft1_damping;
-    forces[6][6] = -p->cardan1_damping/(p->gearbox1_ratio*p->gearbox1_ratio) - p->shaft1_damping;
+    forces[6][6] = -p->cardan1_damping / (p->gearbox1_ratio * p->gearbox1_ratio) - p->shaft1_damping;
     forces[12][6] = p->shaft1_stiffness;
-    forces[13][6] = -p->cardan1_stiffness/p->gearbox1_ratio;
-    forces[0][7] = p->cardan2_damping/(p->diff_ratio*p->gearbox2_ratio);
-    forces[1][7] = p->cardan2_damping*p->diff_pinion_ratio/p->gearbox2_ratio;
-    forces[7][7] = -p->cardan2_damping/(p->gearbox2_ratio*p->gearbox2_ratio) - p->shaft2_damping;
+    forces[13][6] = -p->cardan1_stiffness / p->gearbox1_ratio;
+    forces[0][7] = p->cardan2_damping / (p->diff_ratio * p->gearbox2_ratio);
+    forces[1][7] = p->cardan2_damping * p->diff_pinion_ratio / p->gearbox2_ratio;
+    forces[7][7] = -p->cardan2_damping / (p->gearbox2_ratio * p->gearbox2_ratio) - p->shaft2_damping;
     forces[8][7] = p->shaft2_damping;
-    forces[14][7] = p->cardan2_stiffness/(p->diff_ratio*p->gearbox2_ratio);
+    forces[14][7] = p->cardan2_stiffness / (p->diff_ratio * p->gearbox2_ratio);
     forces[15][7] = -p->shaft2_stiffness;
     forces[3][8] = p->flange2_damping;
     forces[7][8] = p->shaft2_damping;
     forces[8][8] = -p->flange2_damping - p->shaft2_damping;
     forces[15][8] = p->shaft2_stiffness;
     forces[16][8] = p->flange2_stiffness;
-    forces[0][9] = p->cardan3_damping/(p->diff_ratio*p->gearbox3_ratio);
-    forces[1][9] = -p->cardan3_damping*p->diff_pinion_ratio/p->gearbox3_ratio;
-    forces[9][9] = -p->cardan3_damping/(p->gearbox3_ratio*p->gearbox3_ratio) - p->shaft3_damping;
+    forces[0][9] = p->cardan3_damping / (p->diff_ratio * p->gearbox3_ratio);
+    forces[1][9] = -p->cardan3_damping * p->diff_pinion_ratio / p->gearbox3_ratio;
+    forces[9][9] = -p->cardan3_damping / (p->gearbox3_ratio * p->gearbox3_ratio) - p->shaft3_damping;
     forces[10][9] = p->shaft3_damping;
-    forces[17][9] = p->cardan3_stiffness/(p->diff_ratio*p->gearbox3_ratio);
+    forces[17][9] = p->cardan3_stiffness / (p->diff_ratio * p->gearbox3_ratio);
     forces[18][9] = -p->shaft3_stiffness;
     forces[4][10] = p->flange3_damping;
     forces[9][10] = p->shaft3_damping;
@@ -275,31 +275,31 @@ differential_gearboxes_plant_status differential_gearboxes_plant_update(differen
     A[5][12] = 1.0;
     A[6][12] = -1.0;
     A[0][13] = -1.0;
-    A[6][13] = 1.0/p->gearbox1_ratio;
+    A[6][13] = 1.0 / p->gearbox1_ratio;
     A[0][14] = 1.0;
-    A[1][14] = p->diff_pinion_ratio*p->diff_ratio;
-    A[7][14] = -p->diff_ratio/p->gearbox2_ratio;
+    A[1][14] = p->diff_pinion_ratio * p->diff_ratio;
+    A[7][14] = -p->diff_ratio / p->gearbox2_ratio;
     A[7][15] = 1.0;
     A[8][15] = -1.0;
     A[3][16] = 1.0;
     A[8][16] = -1.0;
     A[0][17] = 1.0;
-    A[1][17] = -p->diff_pinion_ratio*p->diff_ratio;
-    A[9][17] = -p->diff_ratio/p->gearbox3_ratio;
+    A[1][17] = -p->diff_pinion_ratio * p->diff_ratio;
+    A[9][17] = -p->diff_ratio / p->gearbox3_ratio;
     A[9][18] = 1.0;
     A[10][18] = -1.0;
     A[4][19] = 1.0;
     A[10][19] = -1.0;
     differential_gearboxes_insert(11, 24, 12, 0, 20, 20, 1, &A[0][0], &rates[0][0]);
     /* lag of the torque loop */
-    A[20][20] = -1.0/p->M1_inverter_time_constant;
-    A[23][20] = 1.0/p->M1_inverter_time_constant;
+    A[20][20] = -1.0 / p->M1_inverter_time_constant;
+    A[23][20] = 1.0 / p->M1_inverter_time_constant;
     differential_gearboxes_insert(11, 24, 12, 0, 21, 21, 1, &A[0][0], &rates[0][0]);
-    A[21][21] = -1.0/p->M2_inverter_time_constant;
-    A[24][21] = 1.0/p->M2_inverter_time_constant;
+    A[21][21] = -1.0 / p->M2_inverter_time_constant;
+    A[24][21] = 1.0 / p->M2_inverter_time_constant;
     differential_gearboxes_insert(11, 24, 12, 0, 22, 22, 1, &A[0][0], &rates[0][0]);
-    A[22][22] = -1.0/p->M3_inverter_time_constant;
-    A[25][22] = 1.0/p->M3_inverter_time_constant;
+    A[22][22] = -1.0 / p->M3_inverter_time_constant;
+    A[25][22] = 1.0 / p->M3_inverter_time_constant;
     differential_gearboxes_insert(11, 24, 12, 0, 26, 23, 2, &A[0][0], &rates[0][0]);
     scale[0] = 1.0;
     scale[1] = 1.0;
@@ -335,10 +335,10 @@ differential_gearboxes_plant_status differential_gearboxes_plant_update(differen
     }
     differential_gearboxes_insert(23, 24, 24, 0, 0, 0, 23, &s->transition[0][0], &whole[0][0]);
     /* dead time = (d + f) h */
-    s->M1_dead_steps = differential_gearboxes_floor(p->M1_inverter_dead_time/p->sample_time + 1e-06);
+    s->M1_dead_steps = differential_gearboxes_floor(p->M1_inverter_dead_time / p->sample_time + 1e-06);
     /* the late command acts for (1 - f) h */
     const differential_gearboxes_real M1_late_time = p->sample_time - differential_gearboxes_max(0.0,
-        -s->M1_dead_steps*p->sample_time + p->M1_inverter_dead_time);
+        -s->M1_dead_steps * p->sample_time + p->M1_inverter_dead_time);
     if (!differential_gearboxes_discretise(23, 28, 6, &A[0][0], scale, M1_late_time, &late[0][0])) {
         return differential_gearboxes_plant_exponential_range;
     }
@@ -346,10 +346,10 @@ differential_gearboxes_plant_status differential_gearboxes_plant_update(differen
     differential_gearboxes_insert(23, 24, 24, 0, 23, 23, 1, &s->transition[0][0], &late[0][0]);
     differential_gearboxes_insert(23, 24, 24, 0, 26, 23, 1, &s->transition[0][0], &early[0][0]);
     /* dead time = (d + f) h */
-    s->M2_dead_steps = differential_gearboxes_floor(p->M2_inverter_dead_time/p->sample_time + 1e-06);
+    s->M2_dead_steps = differential_gearboxes_floor(p->M2_inverter_dead_time / p->sample_time + 1e-06);
     /* the late command acts for (1 - f) h */
     const differential_gearboxes_real M2_late_time = p->sample_time - differential_gearboxes_max(0.0,
-        -s->M2_dead_steps*p->sample_time + p->M2_inverter_dead_time);
+        -s->M2_dead_steps * p->sample_time + p->M2_inverter_dead_time);
     if (!differential_gearboxes_discretise(23, 28, 6, &A[0][0], scale, M2_late_time, &late[0][0])) {
         return differential_gearboxes_plant_exponential_range;
     }
@@ -357,10 +357,10 @@ differential_gearboxes_plant_status differential_gearboxes_plant_update(differen
     differential_gearboxes_insert(23, 24, 24, 0, 24, 24, 1, &s->transition[0][0], &late[0][0]);
     differential_gearboxes_insert(23, 24, 24, 0, 27, 24, 1, &s->transition[0][0], &early[0][0]);
     /* dead time = (d + f) h */
-    s->M3_dead_steps = differential_gearboxes_floor(p->M3_inverter_dead_time/p->sample_time + 1e-06);
+    s->M3_dead_steps = differential_gearboxes_floor(p->M3_inverter_dead_time / p->sample_time + 1e-06);
     /* the late command acts for (1 - f) h */
     const differential_gearboxes_real M3_late_time = p->sample_time - differential_gearboxes_max(0.0,
-        -s->M3_dead_steps*p->sample_time + p->M3_inverter_dead_time);
+        -s->M3_dead_steps * p->sample_time + p->M3_inverter_dead_time);
     if (!differential_gearboxes_discretise(23, 28, 6, &A[0][0], scale, M3_late_time, &late[0][0])) {
         return differential_gearboxes_plant_exponential_range;
     }
@@ -383,24 +383,26 @@ differential_gearboxes_plant_status differential_gearboxes_plant_update(differen
 void differential_gearboxes_plant_measure(const differential_gearboxes_plant_state *s, const differential_gearboxes_plant_params *p, differential_gearboxes_plant_outputs *out)
 {
     out->M1_speed = s->x[2];
-    out->flange1_torque = p->flange1_damping*s->x[2] - p->flange1_damping*s->x[5] + p->flange1_stiffness*s->x[11];
-    out->flange2_torque = -p->flange2_damping*s->x[3] + p->flange2_damping*s->x[8] - p->flange2_stiffness*s->x[16];
+    out->flange1_torque = p->flange1_damping * s->x[2] - p->flange1_damping * s->x[5] + p->flange1_stiffness *
+        s->x[11];
+    out->flange2_torque = -p->flange2_damping * s->x[3] + p->flange2_damping * s->x[8] - p->flange2_stiffness *
+        s->x[16];
     out->M2_speed = s->x[3];
-    out->flange3_torque = p->flange3_damping*s->x[10] - p->flange3_damping*s->x[4] - p->flange3_stiffness*s->x[19];
+    out->flange3_torque = p->flange3_damping * s->x[10] - p->flange3_damping * s->x[4] - p->flange3_stiffness *
+        s->x[19];
     out->M3_speed = s->x[4];
-    out->diff_outputs_torque = -p->cardan2_damping*s->x[7]/p->gearbox2_ratio +
-        p->cardan2_stiffness*s->x[14]/p->diff_ratio - p->cardan3_damping*s->x[9]/p->gearbox3_ratio +
-        p->cardan3_stiffness*s->x[17]/p->diff_ratio + s->x[0]*(p->cardan2_damping/p->diff_ratio +
-        p->cardan3_damping/p->diff_ratio) + s->x[1]*(p->cardan2_damping*p->diff_pinion_ratio -
-        p->cardan3_damping*p->diff_pinion_ratio);
-    out->diff_input_torque = -p->cardan1_damping*s->x[0] + p->cardan1_damping*s->x[6]/p->gearbox1_ratio +
-        p->cardan1_stiffness*s->x[13];
+    out->diff_outputs_torque = -p->cardan2_damping * s->x[7] / p->gearbox2_ratio + p->cardan2_stiffness * s->x[14] /
+        p->diff_ratio - p->cardan3_damping * s->x[9] / p->gearbox3_ratio + p->cardan3_stiffness * s->x[17] /
+        p->diff_ratio + s->x[0] * (p->cardan2_damping / p->diff_ratio + p->cardan3_damping / p->diff_ratio) +
+        s->x[1] * (p->cardan2_damping * p->diff_pinion_ratio - p->cardan3_damping * p->diff_pinion_ratio);
+    out->diff_input_torque = -p->cardan1_damping * s->x[0] + p->cardan1_damping * s->x[6] / p->gearbox1_ratio +
+        p->cardan1_stiffness * s->x[13];
     out->M1_torque = s->x[20];
     out->M2_torque = s->x[21];
     out->M3_torque = s->x[22];
-    out->diff_loss_torque = p->diff_loss_viscous*s->x[0] + s->friction_torque[0];
+    out->diff_loss_torque = p->diff_loss_viscous * s->x[0] + s->friction_torque[0];
     out->diff_loss_speed = s->x[0];
-    out->diff_limited_slip_torque = p->diff_limited_slip_viscous*s->x[1] + s->friction_torque[1];
+    out->diff_limited_slip_torque = p->diff_limited_slip_viscous * s->x[1] + s->friction_torque[1];
     out->diff_limited_slip_speed = s->x[1];
 }
 
@@ -426,47 +428,42 @@ differential_gearboxes_plant_status differential_gearboxes_plant_step(differenti
     differential_gearboxes_zero(sizeof capacity, capacity);
     
     /* torque-speed envelope, Figure 7.1 */
-    const differential_gearboxes_real M1_available =
-        p->M1_speed_rated*p->M1_torque_max/differential_gearboxes_max(p->M1_speed_rated,
-        differential_gearboxes_abs(s->x[2]));
+    const differential_gearboxes_real M1_available = p->M1_speed_rated * p->M1_torque_max /
+        differential_gearboxes_max(p->M1_speed_rated, differential_gearboxes_abs(s->x[2]));
     const differential_gearboxes_real M1_limited = differential_gearboxes_max(-M1_available,
         differential_gearboxes_min(M1_available, in->M1_torque_ref));
     /* dead time of the torque loop */
     differential_gearboxes_delay(16, s->M1_delay, M1_limited, s->M1_dead_steps, &s->x[23], &s->x[26]);
     /* torque-speed envelope, Figure 7.1 */
-    const differential_gearboxes_real M2_available =
-        p->M2_speed_rated*p->M2_torque_max/differential_gearboxes_max(p->M2_speed_rated,
-        differential_gearboxes_abs(s->x[3]));
+    const differential_gearboxes_real M2_available = p->M2_speed_rated * p->M2_torque_max /
+        differential_gearboxes_max(p->M2_speed_rated, differential_gearboxes_abs(s->x[3]));
     const differential_gearboxes_real M2_limited = differential_gearboxes_max(-M2_available,
         differential_gearboxes_min(M2_available, in->M2_torque_ref));
     /* dead time of the torque loop */
     differential_gearboxes_delay(16, s->M2_delay, M2_limited, s->M2_dead_steps, &s->x[24], &s->x[27]);
     /* torque-speed envelope, Figure 7.1 */
-    const differential_gearboxes_real M3_available =
-        p->M3_speed_rated*p->M3_torque_max/differential_gearboxes_max(p->M3_speed_rated,
-        differential_gearboxes_abs(s->x[4]));
+    const differential_gearboxes_real M3_available = p->M3_speed_rated * p->M3_torque_max /
+        differential_gearboxes_max(p->M3_speed_rated, differential_gearboxes_abs(s->x[4]));
     const differential_gearboxes_real M3_limited = differential_gearboxes_max(-M3_available,
         differential_gearboxes_min(M3_available, in->M3_torque_ref));
     /* dead time of the torque loop */
     differential_gearboxes_delay(16, s->M3_delay, M3_limited, s->M3_dead_steps, &s->x[25], &s->x[28]);
-    const differential_gearboxes_real diff_input_torque_start = -p->cardan1_damping*s->x[0] +
-        p->cardan1_damping*s->x[6]/p->gearbox1_ratio + p->cardan1_stiffness*s->x[13];
+    const differential_gearboxes_real diff_input_torque_start = -p->cardan1_damping * s->x[0] + p->cardan1_damping *
+        s->x[6] / p->gearbox1_ratio + p->cardan1_stiffness * s->x[13];
     /* x+ = Phi x + Gamma_u u */
     differential_gearboxes_multiply(23, 29, &s->transition[0][0], s->x, x_free);
     /* predicted */
-    const differential_gearboxes_real diff_input_torque_end =
-        -p->cardan1_damping*(s->friction_torque[0]*s->gamma_f[0][0] + s->friction_torque[1]*s->gamma_f[1][0] +
-        x_free[0]) + p->cardan1_damping*(s->friction_torque[0]*s->gamma_f[0][6] +
-        s->friction_torque[1]*s->gamma_f[1][6] + x_free[6])/p->gearbox1_ratio +
-        p->cardan1_stiffness*(s->friction_torque[0]*s->gamma_f[0][13] + s->friction_torque[1]*s->gamma_f[1][13] +
-        x_free[13]);
+    const differential_gearboxes_real diff_input_torque_end = -p->cardan1_damping * (s->friction_torque[0] *
+        s->gamma_f[0][0] + s->friction_torque[1] * s->gamma_f[1][0] + x_free[0]) + p->cardan1_damping *
+        (s->friction_torque[0] * s->gamma_f[0][6] + s->friction_torque[1] * s->gamma_f[1][6] + x_free[6]) /
+        p->gearbox1_ratio + p->cardan1_stiffness * (s->friction_torque[0] * s->gamma_f[0][13] +
+        s->friction_torque[1] * s->gamma_f[1][13] + x_free[13]);
     /* (3.34), (3.35) at mid-step */
-    capacity[0] = p->diff_loss_coulomb + p->diff_loss_load*differential_gearboxes_abs((0.5)*diff_input_torque_end +
-        (0.5)*diff_input_torque_start);
+    capacity[0] = p->diff_loss_coulomb + p->diff_loss_load * differential_gearboxes_abs((0.5) *
+        diff_input_torque_end + (0.5) * diff_input_torque_start);
     w_free[0] = x_free[0];
-    capacity[1] = p->diff_limited_slip_coulomb +
-        p->diff_limited_slip_load*differential_gearboxes_abs((0.5)*diff_input_torque_end +
-        (0.5)*diff_input_torque_start);
+    capacity[1] = p->diff_limited_slip_coulomb + p->diff_limited_slip_load * differential_gearboxes_abs((0.5) *
+        diff_input_torque_end + (0.5) * diff_input_torque_start);
     w_free[1] = x_free[1];
     /* |T| <= m, w+ = w - K T */
     differential_gearboxes_solve_box(2, &s->K[0][0], w_free, capacity, s->friction_torque, w_plus);

@@ -10,7 +10,8 @@
 #include "differential_gearboxes_controller.h"
 #include "differential_gearboxes_plant.h"
 
-enum { differential_gearboxes_reference_count = 3, differential_gearboxes_signal_count = 22 };
+enum { differential_gearboxes_reference_count = 3 };
+enum { differential_gearboxes_signal_count = 22 };
 
 /* Names of the references, and of the recorded signals in their order. */
 extern const char *const differential_gearboxes_reference_names[differential_gearboxes_reference_count];

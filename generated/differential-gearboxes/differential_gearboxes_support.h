@@ -51,7 +51,7 @@ int differential_gearboxes_require_definite(int n, const differential_gearboxes_
 
 /* Copies `count` columns of `source` (rows, .), from column `first` on, to (row, column) of `target`. */
 void differential_gearboxes_insert(int rows, int target_stride, int source_stride, int row, int column, int first, int count,
-                         differential_gearboxes_real *target, const differential_gearboxes_real *source);
+    differential_gearboxes_real *target, const differential_gearboxes_real *source);
 
 /* C = A - B, all (rows, columns). */
 void differential_gearboxes_difference(int rows, int columns, const differential_gearboxes_real *A, const differential_gearboxes_real *B, differential_gearboxes_real *C);
@@ -61,14 +61,14 @@ void differential_gearboxes_difference(int rows, int columns, const differential
  * 18 with `squarings` squarings. Fails if the argument is too large for them.
  */
 int differential_gearboxes_discretise(int n, int total, int squarings, const differential_gearboxes_real *A, const differential_gearboxes_real *scale,
-                            differential_gearboxes_real t, differential_gearboxes_real *E);
+    differential_gearboxes_real t, differential_gearboxes_real *E);
 
 /*
  * y = A x for A (n, m); runs over four rows and two columns at a time, the padding included: eight independent sums
  * keep the processor busy where one would wait for each addition.
  */
 static inline void differential_gearboxes_multiply(int n, int m, const differential_gearboxes_real *restrict A, const differential_gearboxes_real *restrict x,
-                                         differential_gearboxes_real *restrict y)
+    differential_gearboxes_real *restrict y)
 {
     const int rows = differential_gearboxes_padded(n);
     for (int i = 0; i < rows; i += 4) {
@@ -102,7 +102,7 @@ static inline void differential_gearboxes_multiply(int n, int m, const different
 
 /* y = x + A T for A (n, m). */
 static inline void differential_gearboxes_add_product(int n, int m, differential_gearboxes_real *restrict y, const differential_gearboxes_real *restrict x,
-                                                 const differential_gearboxes_real *restrict A, const differential_gearboxes_real *restrict T)
+    const differential_gearboxes_real *restrict A, const differential_gearboxes_real *restrict T)
 {
     const int rows = differential_gearboxes_padded(n);
     for (int i = 0; i < n; ++i) {
@@ -116,7 +116,7 @@ static inline void differential_gearboxes_add_product(int n, int m, differential
 
 /* Pushes `value` into a delay line; `late` is the value of `steps` steps ago, `early` the one of a step before. */
 static inline void differential_gearboxes_delay(int capacity, differential_gearboxes_real *line, differential_gearboxes_real value, differential_gearboxes_real steps,
-                                      differential_gearboxes_real *late, differential_gearboxes_real *early)
+    differential_gearboxes_real *late, differential_gearboxes_real *early)
 {
     const int depth = (int)steps;
     *late = depth == 0 ? value : line[depth - 1];
@@ -129,7 +129,7 @@ static inline void differential_gearboxes_delay(int capacity, differential_gearb
 
 /* Takes `value` if it is finite and at most `bound` in size, else leaves what was held; `sound` is 1 or 0. */
 static inline void differential_gearboxes_guard(differential_gearboxes_real value, differential_gearboxes_real bound, differential_gearboxes_real before, differential_gearboxes_real *held,
-                                      differential_gearboxes_real *sound)
+    differential_gearboxes_real *sound)
 {
     const int good = differential_gearboxes_abs(value) <= bound; /* false for NaN */
     *held = good ? value : before;
@@ -141,6 +141,6 @@ static inline void differential_gearboxes_guard(differential_gearboxes_real valu
  * negative only where T_i = -m_i, else exactly zero. Closed forms for one and two elements.
  */
 void differential_gearboxes_solve_box(int n, const differential_gearboxes_real *K, const differential_gearboxes_real *w, const differential_gearboxes_real *m,
-                            differential_gearboxes_real *T, differential_gearboxes_real *w_plus);
+    differential_gearboxes_real *T, differential_gearboxes_real *w_plus);
 
 #endif

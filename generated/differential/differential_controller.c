@@ -233,76 +233,76 @@ differential_controller_status differential_controller_step(differential_control
     s->fault = ((s->fault < 0.5 && flange3_torque_sound < 0.5) ? 8.0 : s->fault);
     s->fault = ((M3_speed_sound < 0.5 && s->fault < 0.5) ? 9.0 : s->fault);
     /* torque-speed envelope, Figure 7.1 */
-    const differential_real M1_available = p->M1_speed_rated*p->M1_torque_max/differential_max(p->M1_speed_rated,
-        differential_abs(s->M1_speed_held));
-    const differential_real M2_available = p->M2_speed_rated*p->M2_torque_max/differential_max(p->M2_speed_rated,
-        differential_abs(s->M2_speed_held));
-    const differential_real M3_available = p->M3_speed_rated*p->M3_torque_max/differential_max(p->M3_speed_rated,
-        differential_abs(s->M3_speed_held));
+    const differential_real M1_available = p->M1_speed_rated * p->M1_torque_max /
+        differential_max(p->M1_speed_rated, differential_abs(s->M1_speed_held));
+    const differential_real M2_available = p->M2_speed_rated * p->M2_torque_max /
+        differential_max(p->M2_speed_rated, differential_abs(s->M2_speed_held));
+    const differential_real M3_available = p->M3_speed_rated * p->M3_torque_max /
+        differential_max(p->M3_speed_rated, differential_abs(s->M3_speed_held));
     const differential_real M2_speed_error = -s->M2_speed_held + s->M2_speed_ref_held;
     /* PI speed control (5.84) */
-    const differential_real M2_asked = M2_speed_error*p->M2_speed_gain + s->M2_speed_integral;
+    const differential_real M2_asked = M2_speed_error * p->M2_speed_gain + s->M2_speed_integral;
     /* load torque compensation (5.52), (5.74) */
-    const differential_real M2_compensation = -s->flange2_torque_held*p->load_compensation;
+    const differential_real M2_compensation = -s->flange2_torque_held * p->load_compensation;
     /* torque-speed envelope */
     const differential_real M2_command = differential_max(-M2_available, differential_min(M2_available, M2_asked +
         M2_compensation));
     /* what the limit leaves of it */
     const differential_real M2_virtual = M2_command - M2_compensation;
     /* conditioning anti-windup */
-    s->M2_speed_integral = s->M2_speed_integral + p->M2_speed_integral_gain*p->sample_time*(M2_speed_error +
-        (-M2_asked + M2_virtual)/p->M2_speed_gain);
+    s->M2_speed_integral = s->M2_speed_integral + p->M2_speed_integral_gain * p->sample_time * (M2_speed_error +
+        (-M2_asked + M2_virtual) / p->M2_speed_gain);
     const differential_real M3_speed_error = -s->M3_speed_held + s->M3_speed_ref_held;
     /* PI speed control (5.84) */
-    const differential_real M3_asked = M3_speed_error*p->M3_speed_gain + s->M3_speed_integral;
+    const differential_real M3_asked = M3_speed_error * p->M3_speed_gain + s->M3_speed_integral;
     /* load torque compensation (5.52), (5.74) */
-    const differential_real M3_compensation = -s->flange3_torque_held*p->load_compensation;
+    const differential_real M3_compensation = -s->flange3_torque_held * p->load_compensation;
     /* torque-speed envelope */
     const differential_real M3_command = differential_max(-M3_available, differential_min(M3_available, M3_asked +
         M3_compensation));
     /* what the limit leaves of it */
     const differential_real M3_virtual = M3_command - M3_compensation;
     /* conditioning anti-windup */
-    s->M3_speed_integral = s->M3_speed_integral + p->M3_speed_integral_gain*p->sample_time*(M3_speed_error +
-        (-M3_asked + M3_virtual)/p->M3_speed_gain);
+    s->M3_speed_integral = s->M3_speed_integral + p->M3_speed_integral_gain * p->sample_time * (M3_speed_error +
+        (-M3_asked + M3_virtual) / p->M3_speed_gain);
     /* testing torque from the sensors (5.95), (5.98) */
-    const differential_real diff_input_torque_estimate = s->flange1_torque_held +
-        p->load_compensation*(p->M1_sensor_inertia_M2*M2_virtual/p->M2_inertia +
-        p->M1_sensor_inertia_M3*M3_virtual/p->M3_inertia);
+    const differential_real diff_input_torque_estimate = s->flange1_torque_held + p->load_compensation *
+        (p->M1_sensor_inertia_M2 * M2_virtual / p->M2_inertia + p->M1_sensor_inertia_M3 * M3_virtual /
+        p->M3_inertia);
     /* torque model (5.57), (5.76) */
-    s->M1_model_rate = s->M1_model_rate + p->sample_time*(-p->M1_model_damping*s->M1_model_rate +
-        p->M1_model_stiffness*(-s->M1_model_torque + s->diff_input_torque_ref_held))/p->M1_inertia_estimate;
-    s->M1_model_torque = s->M1_model_rate*p->sample_time + s->M1_model_torque;
-    const differential_real M1_torque_error = s->M1_model_torque*p->M1_torque_model - diff_input_torque_estimate +
-        s->diff_input_torque_ref_held*(1.0 - p->M1_torque_model);
+    s->M1_model_rate = s->M1_model_rate + p->sample_time * (-p->M1_model_damping * s->M1_model_rate +
+        p->M1_model_stiffness * (-s->M1_model_torque + s->diff_input_torque_ref_held)) / p->M1_inertia_estimate;
+    s->M1_model_torque = s->M1_model_rate * p->sample_time + s->M1_model_torque;
+    const differential_real M1_torque_error = s->M1_model_torque * p->M1_torque_model - diff_input_torque_estimate +
+        s->diff_input_torque_ref_held * (1.0 - p->M1_torque_model);
     /* torque control (5.99) */
-    const differential_real M1_virtual = p->M1_feedforward*s->diff_input_torque_ref_held +
-        M1_torque_error*p->M1_torque_gain + s->M1_torque_integral;
+    const differential_real M1_virtual = p->M1_feedforward * s->diff_input_torque_ref_held + M1_torque_error *
+        p->M1_torque_gain + s->M1_torque_integral;
     /* with the acceleration torque (5.62), (5.78) */
-    const differential_real M1_wanted = M1_virtual +
-        p->acceleration_torque*((0.5)*p->M1_inertia_estimate*M3_virtual*p->diff_ratio/p->M3_inertia +
-        (0.5)*p->M1_inertia_estimate*M2_virtual*p->diff_ratio/p->M2_inertia);
+    const differential_real M1_wanted = M1_virtual + p->acceleration_torque * ((0.5) * p->M1_inertia_estimate *
+        M3_virtual * p->diff_ratio / p->M3_inertia + (0.5) * p->M1_inertia_estimate * M2_virtual * p->diff_ratio /
+        p->M2_inertia);
     /* reserve for active damping */
-    const differential_real M1_kept = differential_max(-M1_available*(1.0 - p->M1_damping_reserve),
-        differential_min(M1_wanted, M1_available*(1.0 - p->M1_damping_reserve)));
+    const differential_real M1_kept = differential_max(-M1_available * (1.0 - p->M1_damping_reserve),
+        differential_min(M1_wanted, M1_available * (1.0 - p->M1_damping_reserve)));
     /* active damping (5.62), (5.78) */
-    const differential_real M1_damping_torque = -p->M1_damping*s->M1_speed_held +
-        (0.5)*p->M1_damping*s->M2_speed_held*p->diff_ratio + (0.5)*p->M1_damping*s->M3_speed_held*p->diff_ratio;
+    const differential_real M1_damping_torque = -p->M1_damping * s->M1_speed_held + (0.5) * p->M1_damping *
+        s->M2_speed_held * p->diff_ratio + (0.5) * p->M1_damping * s->M3_speed_held * p->diff_ratio;
     /* torque-speed envelope */
     const differential_real M1_command = differential_max(-M1_available, differential_min(M1_available,
         M1_damping_torque + M1_kept));
     /* limited integrator */
-    s->M1_torque_integral = ((M1_torque_error*(-M1_kept + M1_wanted) > 0.0) ? s->M1_torque_integral :
-        differential_max(-p->M1_torque_integral_limit, differential_min(p->M1_torque_integral_limit,
-        M1_torque_error*p->M1_torque_integral_gain*p->sample_time + s->M1_torque_integral)));
+    s->M1_torque_integral = ((M1_torque_error * (-M1_kept + M1_wanted) > 0.0) ? s->M1_torque_integral :
+        differential_max(-p->M1_torque_integral_limit, differential_min(p->M1_torque_integral_limit, M1_torque_error
+        * p->M1_torque_integral_gain * p->sample_time + s->M1_torque_integral)));
     /* ramp to zero torque */
-    s->authority = ((s->fault > 0.5) ? differential_max(0.0, s->authority - p->sample_time/p->fault_ramp) :
+    s->authority = ((s->fault > 0.5) ? differential_max(0.0, s->authority - p->sample_time / p->fault_ramp) :
         s->authority);
     s->M1_last = ((s->fault > 0.5) ? s->M1_last : M1_command);
-    out->M1_torque_ref = s->M1_last*s->authority;
+    out->M1_torque_ref = s->M1_last * s->authority;
     s->M2_last = ((s->fault > 0.5) ? s->M2_last : M2_command);
-    out->M2_torque_ref = s->M2_last*s->authority;
+    out->M2_torque_ref = s->M2_last * s->authority;
     s->M3_last = ((s->fault > 0.5) ? s->M3_last : M3_command);
-    out->M3_torque_ref = s->M3_last*s->authority;
+    out->M3_torque_ref = s->M3_last * s->authority;
     return (differential_controller_status)s->fault;
 }

@@ -166,7 +166,7 @@ differential_plant_status differential_plant_update(differential_plant_state *s,
     
     /* M = S' I S */
     mass[0][0] = p->diff_inertia;
-    mass[1][1] = p->diff_inertia_pinion*p->diff_pinion_ratio;
+    mass[1][1] = p->diff_inertia_pinion * p->diff_pinion_ratio;
     mass[2][2] = p->M1_inertia;
     mass[3][3] = p->M2_inertia;
     mass[4][4] = p->M3_inertia;
@@ -174,25 +174,25 @@ differential_plant_status differential_plant_update(differential_plant_state *s,
     mass[6][6] = p->flange2_inertia;
     mass[7][7] = p->flange3_inertia;
     /* M dz/dt = B' u - E'(C e + D E z) - G'(T + k_v G z) */
-    forces[0][0] = -p->cardan1_damping - p->cardan2_damping/(p->diff_ratio*p->diff_ratio) -
-        p->cardan3_damping/(p->diff_ratio*p->diff_ratio) - p->diff_loss_viscous;
-    forces[1][0] = -p->cardan2_damping*p->diff_pinion_ratio/p->diff_ratio +
-        p->cardan3_damping*p->diff_pinion_ratio/p->diff_ratio;
+    forces[0][0] = -p->cardan1_damping - p->cardan2_damping / (p->diff_ratio * p->diff_ratio) - p->cardan3_damping /
+        (p->diff_ratio * p->diff_ratio) - p->diff_loss_viscous;
+    forces[1][0] = -p->cardan2_damping * p->diff_pinion_ratio / p->diff_ratio + p->cardan3_damping *
+        p->diff_pinion_ratio / p->diff_ratio;
     forces[5][0] = p->cardan1_damping;
-    forces[6][0] = p->cardan2_damping/p->diff_ratio;
-    forces[7][0] = p->cardan3_damping/p->diff_ratio;
+    forces[6][0] = p->cardan2_damping / p->diff_ratio;
+    forces[7][0] = p->cardan3_damping / p->diff_ratio;
     forces[9][0] = p->cardan1_stiffness;
-    forces[10][0] = -p->cardan2_stiffness/(p->diff_ratio*p->diff_ratio);
-    forces[12][0] = -p->cardan3_stiffness/(p->diff_ratio*p->diff_ratio);
+    forces[10][0] = -p->cardan2_stiffness / (p->diff_ratio * p->diff_ratio);
+    forces[12][0] = -p->cardan3_stiffness / (p->diff_ratio * p->diff_ratio);
     forces[17][0] = -1.0;
-    forces[0][1] = -p->cardan2_damping*p->diff_pinion_ratio/p->diff_ratio +
-        p->cardan3_damping*p->diff_pinion_ratio/p->diff_ratio;
-    forces[1][1] = -p->cardan2_damping*(p->diff_pinion_ratio*p->diff_pinion_ratio) -
-        p->cardan3_damping*(p->diff_pinion_ratio*p->diff_pinion_ratio) - p->diff_limited_slip_viscous;
-    forces[6][1] = p->cardan2_damping*p->diff_pinion_ratio;
-    forces[7][1] = -p->cardan3_damping*p->diff_pinion_ratio;
-    forces[10][1] = -p->cardan2_stiffness*p->diff_pinion_ratio/p->diff_ratio;
-    forces[12][1] = p->cardan3_stiffness*p->diff_pinion_ratio/p->diff_ratio;
+    forces[0][1] = -p->cardan2_damping * p->diff_pinion_ratio / p->diff_ratio + p->cardan3_damping *
+        p->diff_pinion_ratio / p->diff_ratio;
+    forces[1][1] = -p->cardan2_damping * (p->diff_pinion_ratio * p->diff_pinion_ratio) - p->cardan3_damping *
+        (p->diff_pinion_ratio * p->diff_pinion_ratio) - p->diff_limited_slip_viscous;
+    forces[6][1] = p->cardan2_damping * p->diff_pinion_ratio;
+    forces[7][1] = -p->cardan3_damping * p->diff_pinion_ratio;
+    forces[10][1] = -p->cardan2_stiffness * p->diff_pinion_ratio / p->diff_ratio;
+    forces[12][1] = p->cardan3_stiffness * p->diff_pinion_ratio / p->diff_ratio;
     forces[18][1] = -1.0;
     forces[2][2] = -p->flange1_damping;
     forces[5][2] = p->flange1_damping;
@@ -211,17 +211,17 @@ differential_plant_status differential_plant_update(differential_plant_state *s,
     forces[5][5] = -p->cardan1_damping - p->flange1_damping;
     forces[8][5] = p->flange1_stiffness;
     forces[9][5] = -p->cardan1_stiffness;
-    forces[0][6] = p->cardan2_damping/p->diff_ratio;
-    forces[1][6] = p->cardan2_damping*p->diff_pinion_ratio;
+    forces[0][6] = p->cardan2_damping / p->diff_ratio;
+    forces[1][6] = p->cardan2_damping * p->diff_pinion_ratio;
     forces[3][6] = p->flange2_damping;
     forces[6][6] = -p->cardan2_damping - p->flange2_damping;
-    forces[10][6] = p->cardan2_stiffness/p->diff_ratio;
+    forces[10][6] = p->cardan2_stiffness / p->diff_ratio;
     forces[11][6] = p->flange2_stiffness;
-    forces[0][7] = p->cardan3_damping/p->diff_ratio;
-    forces[1][7] = -p->cardan3_damping*p->diff_pinion_ratio;
+    forces[0][7] = p->cardan3_damping / p->diff_ratio;
+    forces[1][7] = -p->cardan3_damping * p->diff_pinion_ratio;
     forces[4][7] = p->flange3_damping;
     forces[7][7] = -p->cardan3_damping - p->flange3_damping;
-    forces[12][7] = p->cardan3_stiffness/p->diff_ratio;
+    forces[12][7] = p->cardan3_stiffness / p->diff_ratio;
     forces[13][7] = p->flange3_stiffness;
     if (!differential_cholesky_solve(8, 19, &mass[0][0], &forces[0][0], &rates[0][0])) {
         return differential_plant_mass_matrix;
@@ -233,25 +233,25 @@ differential_plant_status differential_plant_update(differential_plant_state *s,
     A[0][9] = -1.0;
     A[5][9] = 1.0;
     A[0][10] = 1.0;
-    A[1][10] = p->diff_pinion_ratio*p->diff_ratio;
+    A[1][10] = p->diff_pinion_ratio * p->diff_ratio;
     A[6][10] = -p->diff_ratio;
     A[3][11] = 1.0;
     A[6][11] = -1.0;
     A[0][12] = 1.0;
-    A[1][12] = -p->diff_pinion_ratio*p->diff_ratio;
+    A[1][12] = -p->diff_pinion_ratio * p->diff_ratio;
     A[7][12] = -p->diff_ratio;
     A[4][13] = 1.0;
     A[7][13] = -1.0;
     differential_insert(8, 20, 8, 0, 14, 14, 1, &A[0][0], &rates[0][0]);
     /* lag of the torque loop */
-    A[14][14] = -1.0/p->M1_inverter_time_constant;
-    A[17][14] = 1.0/p->M1_inverter_time_constant;
+    A[14][14] = -1.0 / p->M1_inverter_time_constant;
+    A[17][14] = 1.0 / p->M1_inverter_time_constant;
     differential_insert(8, 20, 8, 0, 15, 15, 1, &A[0][0], &rates[0][0]);
-    A[15][15] = -1.0/p->M2_inverter_time_constant;
-    A[18][15] = 1.0/p->M2_inverter_time_constant;
+    A[15][15] = -1.0 / p->M2_inverter_time_constant;
+    A[18][15] = 1.0 / p->M2_inverter_time_constant;
     differential_insert(8, 20, 8, 0, 16, 16, 1, &A[0][0], &rates[0][0]);
-    A[16][16] = -1.0/p->M3_inverter_time_constant;
-    A[19][16] = 1.0/p->M3_inverter_time_constant;
+    A[16][16] = -1.0 / p->M3_inverter_time_constant;
+    A[19][16] = 1.0 / p->M3_inverter_time_constant;
     differential_insert(8, 20, 8, 0, 20, 17, 2, &A[0][0], &rates[0][0]);
     scale[0] = 1.0;
     scale[1] = 1.0;
@@ -281,10 +281,10 @@ differential_plant_status differential_plant_update(differential_plant_state *s,
     }
     differential_insert(17, 20, 20, 0, 0, 0, 17, &s->transition[0][0], &whole[0][0]);
     /* dead time = (d + f) h */
-    s->M1_dead_steps = differential_floor(p->M1_inverter_dead_time/p->sample_time + 1e-06);
+    s->M1_dead_steps = differential_floor(p->M1_inverter_dead_time / p->sample_time + 1e-06);
     /* the late command acts for (1 - f) h */
-    const differential_real M1_late_time = p->sample_time - differential_max(0.0, -s->M1_dead_steps*p->sample_time +
-        p->M1_inverter_dead_time);
+    const differential_real M1_late_time = p->sample_time - differential_max(0.0, -s->M1_dead_steps * p->sample_time
+        + p->M1_inverter_dead_time);
     if (!differential_discretise(17, 22, 5, &A[0][0], scale, M1_late_time, &late[0][0])) {
         return differential_plant_exponential_range;
     }
@@ -292,10 +292,10 @@ differential_plant_status differential_plant_update(differential_plant_state *s,
     differential_insert(17, 20, 20, 0, 17, 17, 1, &s->transition[0][0], &late[0][0]);
     differential_insert(17, 20, 20, 0, 20, 17, 1, &s->transition[0][0], &early[0][0]);
     /* dead time = (d + f) h */
-    s->M2_dead_steps = differential_floor(p->M2_inverter_dead_time/p->sample_time + 1e-06);
+    s->M2_dead_steps = differential_floor(p->M2_inverter_dead_time / p->sample_time + 1e-06);
     /* the late command acts for (1 - f) h */
-    const differential_real M2_late_time = p->sample_time - differential_max(0.0, -s->M2_dead_steps*p->sample_time +
-        p->M2_inverter_dead_time);
+    const differential_real M2_late_time = p->sample_time - differential_max(0.0, -s->M2_dead_steps * p->sample_time
+        + p->M2_inverter_dead_time);
     if (!differential_discretise(17, 22, 5, &A[0][0], scale, M2_late_time, &late[0][0])) {
         return differential_plant_exponential_range;
     }
@@ -303,10 +303,10 @@ differential_plant_status differential_plant_update(differential_plant_state *s,
     differential_insert(17, 20, 20, 0, 18, 18, 1, &s->transition[0][0], &late[0][0]);
     differential_insert(17, 20, 20, 0, 21, 18, 1, &s->transition[0][0], &early[0][0]);
     /* dead time = (d + f) h */
-    s->M3_dead_steps = differential_floor(p->M3_inverter_dead_time/p->sample_time + 1e-06);
+    s->M3_dead_steps = differential_floor(p->M3_inverter_dead_time / p->sample_time + 1e-06);
     /* the late command acts for (1 - f) h */
-    const differential_real M3_late_time = p->sample_time - differential_max(0.0, -s->M3_dead_steps*p->sample_time +
-        p->M3_inverter_dead_time);
+    const differential_real M3_late_time = p->sample_time - differential_max(0.0, -s->M3_dead_steps * p->sample_time
+        + p->M3_inverter_dead_time);
     if (!differential_discretise(17, 22, 5, &A[0][0], scale, M3_late_time, &late[0][0])) {
         return differential_plant_exponential_range;
     }
@@ -329,19 +329,22 @@ differential_plant_status differential_plant_update(differential_plant_state *s,
 void differential_plant_measure(const differential_plant_state *s, const differential_plant_params *p, differential_plant_outputs *out)
 {
     out->M1_speed = s->x[2];
-    out->flange1_torque = p->flange1_damping*s->x[2] - p->flange1_damping*s->x[5] + p->flange1_stiffness*s->x[8];
-    out->flange2_torque = -p->flange2_damping*s->x[3] + p->flange2_damping*s->x[6] - p->flange2_stiffness*s->x[11];
+    out->flange1_torque = p->flange1_damping * s->x[2] - p->flange1_damping * s->x[5] + p->flange1_stiffness *
+        s->x[8];
+    out->flange2_torque = -p->flange2_damping * s->x[3] + p->flange2_damping * s->x[6] - p->flange2_stiffness *
+        s->x[11];
     out->M2_speed = s->x[3];
-    out->flange3_torque = -p->flange3_damping*s->x[4] + p->flange3_damping*s->x[7] - p->flange3_stiffness*s->x[13];
+    out->flange3_torque = -p->flange3_damping * s->x[4] + p->flange3_damping * s->x[7] - p->flange3_stiffness *
+        s->x[13];
     out->M3_speed = s->x[4];
-    out->diff_input_torque = -p->cardan1_damping*s->x[0] + p->cardan1_damping*s->x[5] +
-        p->cardan1_stiffness*s->x[9];
+    out->diff_input_torque = -p->cardan1_damping * s->x[0] + p->cardan1_damping * s->x[5] + p->cardan1_stiffness *
+        s->x[9];
     out->M1_torque = s->x[14];
     out->M2_torque = s->x[15];
     out->M3_torque = s->x[16];
-    out->diff_loss_torque = p->diff_loss_viscous*s->x[0] + s->friction_torque[0];
+    out->diff_loss_torque = p->diff_loss_viscous * s->x[0] + s->friction_torque[0];
     out->diff_loss_speed = s->x[0];
-    out->diff_limited_slip_torque = p->diff_limited_slip_viscous*s->x[1] + s->friction_torque[1];
+    out->diff_limited_slip_torque = p->diff_limited_slip_viscous * s->x[1] + s->friction_torque[1];
     out->diff_limited_slip_speed = s->x[1];
 }
 
@@ -367,42 +370,41 @@ differential_plant_status differential_plant_step(differential_plant_state *s, c
     differential_zero(sizeof capacity, capacity);
     
     /* torque-speed envelope, Figure 7.1 */
-    const differential_real M1_available = p->M1_speed_rated*p->M1_torque_max/differential_max(p->M1_speed_rated,
-        differential_abs(s->x[2]));
+    const differential_real M1_available = p->M1_speed_rated * p->M1_torque_max /
+        differential_max(p->M1_speed_rated, differential_abs(s->x[2]));
     const differential_real M1_limited = differential_max(-M1_available, differential_min(M1_available,
         in->M1_torque_ref));
     /* dead time of the torque loop */
     differential_delay(16, s->M1_delay, M1_limited, s->M1_dead_steps, &s->x[17], &s->x[20]);
     /* torque-speed envelope, Figure 7.1 */
-    const differential_real M2_available = p->M2_speed_rated*p->M2_torque_max/differential_max(p->M2_speed_rated,
-        differential_abs(s->x[3]));
+    const differential_real M2_available = p->M2_speed_rated * p->M2_torque_max /
+        differential_max(p->M2_speed_rated, differential_abs(s->x[3]));
     const differential_real M2_limited = differential_max(-M2_available, differential_min(M2_available,
         in->M2_torque_ref));
     /* dead time of the torque loop */
     differential_delay(16, s->M2_delay, M2_limited, s->M2_dead_steps, &s->x[18], &s->x[21]);
     /* torque-speed envelope, Figure 7.1 */
-    const differential_real M3_available = p->M3_speed_rated*p->M3_torque_max/differential_max(p->M3_speed_rated,
-        differential_abs(s->x[4]));
+    const differential_real M3_available = p->M3_speed_rated * p->M3_torque_max /
+        differential_max(p->M3_speed_rated, differential_abs(s->x[4]));
     const differential_real M3_limited = differential_max(-M3_available, differential_min(M3_available,
         in->M3_torque_ref));
     /* dead time of the torque loop */
     differential_delay(16, s->M3_delay, M3_limited, s->M3_dead_steps, &s->x[19], &s->x[22]);
-    const differential_real diff_input_torque_start = -p->cardan1_damping*s->x[0] + p->cardan1_damping*s->x[5] +
-        p->cardan1_stiffness*s->x[9];
+    const differential_real diff_input_torque_start = -p->cardan1_damping * s->x[0] + p->cardan1_damping * s->x[5] +
+        p->cardan1_stiffness * s->x[9];
     /* x+ = Phi x + Gamma_u u */
     differential_multiply(17, 23, &s->transition[0][0], s->x, x_free);
     /* predicted */
-    const differential_real diff_input_torque_end = -p->cardan1_damping*(s->friction_torque[0]*s->gamma_f[0][0] +
-        s->friction_torque[1]*s->gamma_f[1][0] + x_free[0]) +
-        p->cardan1_damping*(s->friction_torque[0]*s->gamma_f[0][5] + s->friction_torque[1]*s->gamma_f[1][5] +
-        x_free[5]) + p->cardan1_stiffness*(s->friction_torque[0]*s->gamma_f[0][9] +
-        s->friction_torque[1]*s->gamma_f[1][9] + x_free[9]);
+    const differential_real diff_input_torque_end = -p->cardan1_damping * (s->friction_torque[0] * s->gamma_f[0][0]
+        + s->friction_torque[1] * s->gamma_f[1][0] + x_free[0]) + p->cardan1_damping * (s->friction_torque[0] *
+        s->gamma_f[0][5] + s->friction_torque[1] * s->gamma_f[1][5] + x_free[5]) + p->cardan1_stiffness *
+        (s->friction_torque[0] * s->gamma_f[0][9] + s->friction_torque[1] * s->gamma_f[1][9] + x_free[9]);
     /* (3.34), (3.35) at mid-step */
-    capacity[0] = p->diff_loss_coulomb + p->diff_loss_load*differential_abs((0.5)*diff_input_torque_end +
-        (0.5)*diff_input_torque_start);
+    capacity[0] = p->diff_loss_coulomb + p->diff_loss_load * differential_abs((0.5) * diff_input_torque_end + (0.5)
+        * diff_input_torque_start);
     w_free[0] = x_free[0];
-    capacity[1] = p->diff_limited_slip_coulomb +
-        p->diff_limited_slip_load*differential_abs((0.5)*diff_input_torque_end + (0.5)*diff_input_torque_start);
+    capacity[1] = p->diff_limited_slip_coulomb + p->diff_limited_slip_load * differential_abs((0.5) *
+        diff_input_torque_end + (0.5) * diff_input_torque_start);
     w_free[1] = x_free[1];
     /* |T| <= m, w+ = w - K T */
     differential_solve_box(2, &s->K[0][0], w_free, capacity, s->friction_torque, w_plus);

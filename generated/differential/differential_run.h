@@ -10,7 +10,8 @@
 #include "differential_controller.h"
 #include "differential_plant.h"
 
-enum { differential_reference_count = 3, differential_signal_count = 21 };
+enum { differential_reference_count = 3 };
+enum { differential_signal_count = 21 };
 
 /* Names of the references, and of the recorded signals in their order. */
 extern const char *const differential_reference_names[differential_reference_count];

@@ -166,7 +166,7 @@ class CBlock:
     def _statement(self, statement: Statement, printer: CExpressions, declared: set[str]) -> list[str]:
         if isinstance(statement, Assign):
             place = self._place(statement.target)
-            text = printer.doprint(statement.expression)
+            text = printer.doprint(statement.expression).replace("*", " * ").replace("/", " / ")
             if place == statement.target and "[" not in place and place not in declared:
                 declared.add(place)
                 return [f"const {self.prefix}_real {place} = {text};"]
