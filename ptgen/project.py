@@ -75,7 +75,8 @@ class Project:
 
     def blocks(self) -> tuple[Block, Block]:
         """Return controller and plant."""
-        return self.controller, self.plant
+        plant = self.plant  # what it cannot solve is found sooner than a law
+        return self.controller, plant
 
 
 class _located:  # noqa: N801  reads as a phrase: with _located(file)

@@ -129,6 +129,10 @@ const char *back_to_back_controller_status_text(back_to_back_controller_status s
         return "fault: flange2_torque was not finite or not plausible";
     case back_to_back_controller_fault_M2_speed:
         return "fault: M2_speed was not finite or not plausible";
+    case back_to_back_controller_fault_M1_torque_ref:
+        return "fault: M1_torque_ref was not finite or not plausible";
+    case back_to_back_controller_fault_M2_torque_ref:
+        return "fault: M2_torque_ref was not finite or not plausible";
     case back_to_back_controller_bad_input:
         return "an input is not finite";
     default:
@@ -142,7 +146,11 @@ back_to_back_controller_status back_to_back_controller_init(back_to_back_control
 {
     memset(s, 0, sizeof *s);
     s->authority = 1.0;
-    return back_to_back_controller_update(s, p);
+    const back_to_back_controller_status status = back_to_back_controller_update(s, p);
+    if (status != back_to_back_controller_ok) {
+        s->authority = 0.0; /* never started: no torque at all */
+    }
+    return status;
 }
 
 back_to_back_controller_status back_to_back_controller_update(back_to_back_controller_state *s, const back_to_back_controller_params *p)
@@ -151,6 +159,7 @@ back_to_back_controller_status back_to_back_controller_update(back_to_back_contr
         const back_to_back_real value = *(const back_to_back_real *)(const void *)((const char *)p + limits[k].offset);
         const int above = limits[k].open ? value > limits[k].least : value >= limits[k].least; /* false for NaN */
         if (!(above && value <= limits[k].most) || (limits[k].not_zero && value == 0.0)) {
+            s->fault = s->fault > 0.0 ? s->fault : BACK_TO_BACK_REAL(2000 + k); /* latched like any fault */
             return (back_to_back_controller_status)(2000 + k);
         }
     }
@@ -231,12 +240,33 @@ back_to_back_controller_status back_to_back_controller_step(back_to_back_control
     s->M1_torque_integral = ((M1_torque_error * (-M1_kept + M1_wanted) > 0.0) ? s->M1_torque_integral :
         back_to_back_max(-p->M1_torque_integral_limit, back_to_back_min(p->M1_torque_integral_limit, M1_torque_error
         * p->M1_torque_integral_gain * p->sample_time + s->M1_torque_integral)));
+    const back_to_back_real M1_largest = 1.01 * p->M1_torque_max;
+    /* only sound torques leave */
+    back_to_back_real M1_released;
+    back_to_back_real M1_released_sound;
+    back_to_back_guard(M1_command, M1_largest, s->M1_last, &M1_released, &M1_released_sound);
+    const back_to_back_real M2_largest = 1.01 * p->M2_torque_max;
+    back_to_back_real M2_released;
+    back_to_back_real M2_released_sound;
+    back_to_back_guard(M2_command, M2_largest, s->M2_last, &M2_released, &M2_released_sound);
+    /* the first fault is latched */
+    s->fault = ((M1_released_sound < 0.5 && s->fault < 0.5) ? 7.0 : s->fault);
+    s->fault = ((M2_released_sound < 0.5 && s->fault < 0.5) ? 8.0 : s->fault);
     /* ramp to zero torque */
     s->authority = ((s->fault > 0.5) ? back_to_back_max(0.0, s->authority - p->sample_time / p->fault_ramp) :
         s->authority);
-    s->M1_last = ((s->fault > 0.5) ? s->M1_last : M1_command);
+    s->M1_last = ((s->fault > 0.5) ? s->M1_last : M1_released);
     out->M1_torque_ref = s->M1_last * s->authority;
-    s->M2_last = ((s->fault > 0.5) ? s->M2_last : M2_command);
+    s->M2_last = ((s->fault > 0.5) ? s->M2_last : M2_released);
     out->M2_torque_ref = s->M2_last * s->authority;
+    /* The last line of defence, should parameters have been changed without an update. */
+    if (!back_to_back_is_finite(out->M1_torque_ref)) {
+        out->M1_torque_ref = 0.0;
+        s->fault = s->fault > 0.0 ? s->fault : BACK_TO_BACK_REAL(back_to_back_controller_fault_M1_torque_ref);
+    }
+    if (!back_to_back_is_finite(out->M2_torque_ref)) {
+        out->M2_torque_ref = 0.0;
+        s->fault = s->fault > 0.0 ? s->fault : BACK_TO_BACK_REAL(back_to_back_controller_fault_M2_torque_ref);
+    }
     return (back_to_back_controller_status)s->fault;
 }

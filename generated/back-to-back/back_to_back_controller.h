@@ -70,9 +70,9 @@ typedef struct {
     back_to_back_real M1_torque_integral; /* integrator of the torque control of M1 (N m) */
     back_to_back_real M1_model_torque; /* torque that the feedforward to M1 should give (N m) */
     back_to_back_real M1_model_rate; /* rate of the torque model of M1 (N m/s) */
-    back_to_back_real authority; /* 1, going to 0 along the ramp after a fault */
     back_to_back_real M1_last; /* last torque of M1 before a fault (N m) */
     back_to_back_real M2_last; /* last torque of M2 before a fault (N m) */
+    back_to_back_real authority; /* 1, going to 0 along the ramp after a fault */
 } back_to_back_controller_state;
 
 typedef enum {
@@ -83,6 +83,8 @@ typedef enum {
     back_to_back_controller_fault_flange1_torque = 4, /* flange1_torque was not finite or not plausible */
     back_to_back_controller_fault_flange2_torque = 5, /* flange2_torque was not finite or not plausible */
     back_to_back_controller_fault_M2_speed = 6, /* M2_speed was not finite or not plausible */
+    back_to_back_controller_fault_M1_torque_ref = 7, /* M1_torque_ref was not finite or not plausible */
+    back_to_back_controller_fault_M2_torque_ref = 8, /* M2_torque_ref was not finite or not plausible */
     back_to_back_controller_bad_input = 1100, /* an input is not finite; the state was left as it was */
     back_to_back_controller_bad_sample_time = 2000, /* outside its range */
     back_to_back_controller_bad_fault_ramp = 2001, /* outside its range */

@@ -175,6 +175,12 @@ const char *differential_gearboxes_controller_status_text(differential_gearboxes
         return "fault: flange3_torque was not finite or not plausible";
     case differential_gearboxes_controller_fault_M3_speed:
         return "fault: M3_speed was not finite or not plausible";
+    case differential_gearboxes_controller_fault_M1_torque_ref:
+        return "fault: M1_torque_ref was not finite or not plausible";
+    case differential_gearboxes_controller_fault_M2_torque_ref:
+        return "fault: M2_torque_ref was not finite or not plausible";
+    case differential_gearboxes_controller_fault_M3_torque_ref:
+        return "fault: M3_torque_ref was not finite or not plausible";
     case differential_gearboxes_controller_bad_input:
         return "an input is not finite";
     default:
@@ -188,7 +194,11 @@ differential_gearboxes_controller_status differential_gearboxes_controller_init(
 {
     memset(s, 0, sizeof *s);
     s->authority = 1.0;
-    return differential_gearboxes_controller_update(s, p);
+    const differential_gearboxes_controller_status status = differential_gearboxes_controller_update(s, p);
+    if (status != differential_gearboxes_controller_ok) {
+        s->authority = 0.0; /* never started: no torque at all */
+    }
+    return status;
 }
 
 differential_gearboxes_controller_status differential_gearboxes_controller_update(differential_gearboxes_controller_state *s, const differential_gearboxes_controller_params *p)
@@ -197,6 +207,7 @@ differential_gearboxes_controller_status differential_gearboxes_controller_updat
         const differential_gearboxes_real value = *(const differential_gearboxes_real *)(const void *)((const char *)p + limits[k].offset);
         const int above = limits[k].open ? value > limits[k].least : value >= limits[k].least; /* false for NaN */
         if (!(above && value <= limits[k].most) || (limits[k].not_zero && value == 0.0)) {
+            s->fault = s->fault > 0.0 ? s->fault : DIFFERENTIAL_GEARBOXES_REAL(2000 + k); /* latched like any fault */
             return (differential_gearboxes_controller_status)(2000 + k);
         }
     }
@@ -309,14 +320,44 @@ differential_gearboxes_controller_status differential_gearboxes_controller_step(
         ? s->M1_torque_integral : differential_gearboxes_max(-p->M1_torque_integral_limit,
         differential_gearboxes_min(p->M1_torque_integral_limit, M1_torque_error * p->M1_torque_integral_gain *
         p->sample_time + s->M1_torque_integral)));
+    const differential_gearboxes_real M1_largest = 1.01 * p->M1_torque_max;
+    /* only sound torques leave */
+    differential_gearboxes_real M1_released;
+    differential_gearboxes_real M1_released_sound;
+    differential_gearboxes_guard(M1_command, M1_largest, s->M1_last, &M1_released, &M1_released_sound);
+    const differential_gearboxes_real M2_largest = 1.01 * p->M2_torque_max;
+    differential_gearboxes_real M2_released;
+    differential_gearboxes_real M2_released_sound;
+    differential_gearboxes_guard(M2_command, M2_largest, s->M2_last, &M2_released, &M2_released_sound);
+    const differential_gearboxes_real M3_largest = 1.01 * p->M3_torque_max;
+    differential_gearboxes_real M3_released;
+    differential_gearboxes_real M3_released_sound;
+    differential_gearboxes_guard(M3_command, M3_largest, s->M3_last, &M3_released, &M3_released_sound);
+    /* the first fault is latched */
+    s->fault = ((M1_released_sound < 0.5 && s->fault < 0.5) ? 9.0 : s->fault);
+    s->fault = ((M2_released_sound < 0.5 && s->fault < 0.5) ? 10.0 : s->fault);
+    s->fault = ((M3_released_sound < 0.5 && s->fault < 0.5) ? 11.0 : s->fault);
     /* ramp to zero torque */
     s->authority = ((s->fault > 0.5) ? differential_gearboxes_max(0.0, s->authority - p->sample_time /
         p->fault_ramp) : s->authority);
-    s->M1_last = ((s->fault > 0.5) ? s->M1_last : M1_command);
+    s->M1_last = ((s->fault > 0.5) ? s->M1_last : M1_released);
     out->M1_torque_ref = s->M1_last * s->authority;
-    s->M2_last = ((s->fault > 0.5) ? s->M2_last : M2_command);
+    s->M2_last = ((s->fault > 0.5) ? s->M2_last : M2_released);
     out->M2_torque_ref = s->M2_last * s->authority;
-    s->M3_last = ((s->fault > 0.5) ? s->M3_last : M3_command);
+    s->M3_last = ((s->fault > 0.5) ? s->M3_last : M3_released);
     out->M3_torque_ref = s->M3_last * s->authority;
+    /* The last line of defence, should parameters have been changed without an update. */
+    if (!differential_gearboxes_is_finite(out->M1_torque_ref)) {
+        out->M1_torque_ref = 0.0;
+        s->fault = s->fault > 0.0 ? s->fault : DIFFERENTIAL_GEARBOXES_REAL(differential_gearboxes_controller_fault_M1_torque_ref);
+    }
+    if (!differential_gearboxes_is_finite(out->M2_torque_ref)) {
+        out->M2_torque_ref = 0.0;
+        s->fault = s->fault > 0.0 ? s->fault : DIFFERENTIAL_GEARBOXES_REAL(differential_gearboxes_controller_fault_M2_torque_ref);
+    }
+    if (!differential_gearboxes_is_finite(out->M3_torque_ref)) {
+        out->M3_torque_ref = 0.0;
+        s->fault = s->fault > 0.0 ? s->fault : DIFFERENTIAL_GEARBOXES_REAL(differential_gearboxes_controller_fault_M3_torque_ref);
+    }
     return (differential_gearboxes_controller_status)s->fault;
 }

@@ -88,10 +88,10 @@ typedef struct {
     differential_real M1_torque_integral; /* integrator of the torque control of M1 (N m) */
     differential_real M1_model_torque; /* torque that the feedforward to M1 should give (N m) */
     differential_real M1_model_rate; /* rate of the torque model of M1 (N m/s) */
-    differential_real authority; /* 1, going to 0 along the ramp after a fault */
     differential_real M1_last; /* last torque of M1 before a fault (N m) */
     differential_real M2_last; /* last torque of M2 before a fault (N m) */
     differential_real M3_last; /* last torque of M3 before a fault (N m) */
+    differential_real authority; /* 1, going to 0 along the ramp after a fault */
 } differential_controller_state;
 
 typedef enum {
@@ -105,6 +105,9 @@ typedef enum {
     differential_controller_fault_M2_speed = 7, /* M2_speed was not finite or not plausible */
     differential_controller_fault_flange3_torque = 8, /* flange3_torque was not finite or not plausible */
     differential_controller_fault_M3_speed = 9, /* M3_speed was not finite or not plausible */
+    differential_controller_fault_M1_torque_ref = 10, /* M1_torque_ref was not finite or not plausible */
+    differential_controller_fault_M2_torque_ref = 11, /* M2_torque_ref was not finite or not plausible */
+    differential_controller_fault_M3_torque_ref = 12, /* M3_torque_ref was not finite or not plausible */
     differential_controller_bad_input = 1100, /* an input is not finite; the state was left as it was */
     differential_controller_bad_sample_time = 2000, /* outside its range */
     differential_controller_bad_fault_ramp = 2001, /* outside its range */

@@ -18,6 +18,10 @@ from ptgen.elements import Elements, Parameter
 __all__ = ["Component", "Flange", "Quantity", "Record"]
 
 
+_LEAST, _MOST = 1e-12, 1e15
+"""SI values beyond these are slips of the pen, and numbers with which no linear algebra could deal."""
+
+
 @dataclass(frozen=True)
 class Quantity:
     """What is wanted of a field that holds a quantity; used as ``Annotated[float, Quantity(...)]``.
@@ -60,6 +64,8 @@ class Quantity:
         elif value < 0 or (self.positive and value == 0):
             bound = f"{'>' if self.positive else '>='} 0 {self.unit}".strip()
             raise ValueError(f"must be {bound}, got {shown}")
+        if abs(value) > _MOST or (self.positive and abs(value) < _LEAST):
+            raise ValueError(f"must be a physical quantity, got {shown}; check the number and its unit")
         return value
 
 

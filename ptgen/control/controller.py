@@ -98,7 +98,7 @@ def controller_block(
         outputs=outputs,
         states=tuple(w.states.values()),
         step=tuple(w.statements),
-        faults=tuple(w.inputs),
+        faults=(*w.inputs, *(signal.name for signal in outputs)),
     )
     return ControllerBlock(block, _conventional(decoupling, gains), references)
 

@@ -38,4 +38,6 @@ def plausible_torque(model: Model, form: LinearForm) -> float:
         motion, *_ = np.linalg.lstsq(free.T @ K @ free, free.T @ numeric.input_rows[index], rcond=1e-9)
         gain = abs(float(e_row @ E @ free @ motion + u_row[index]))
         largest = max(largest, gain * values[torque.drive.torque_max])
-    return float(f"{TORQUE_FACTOR * largest:.3g}")
+    # A shaft that is all but rigid has no static twist to speak of; the machines' own torque is the least bound.
+    strongest = max(values[torque.drive.torque_max] for torque in model.inputs)
+    return float(f"{TORQUE_FACTOR * max(largest, 0.01 * strongest):.3g}")

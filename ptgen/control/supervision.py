@@ -46,16 +46,36 @@ def _plausible(w: ControllerWriter, name: str) -> float:
 
 
 def release(w: ControllerWriter, commands: dict[int, sp.Symbol], h: sp.Symbol) -> tuple[Signal, ...]:
-    """Return the outputs: the commands, or after a fault the last ones on their way to zero."""
+    """Return the outputs: the commands, or after a fault the last ones on their way to zero.
+
+    A command that is not finite, or beyond the machine's torque, is a fault as well: parameters that overflow, or
+    that were changed without being checked, do not reach the machine either.
+    """
     fault = signal_symbol("fault")
+    outputs = []
+    for machine, name in enumerate(w.design.machines):
+        w.state(f"{name}_last", "N m", f"last torque of {name} before a fault")
+        largest = sp.Float("1.01") * signal_symbol(f"{name}_torque_max")  # a limited command may exceed it by rounding
+        w.assign(f"{name}_largest", largest)
+        w.statements.append(
+            Call(
+                "guard",
+                (f"{name}_released", f"{name}_released_sound"),
+                (commands[machine].name, f"{name}_largest", f"{name}_last"),
+                "only sound torques leave",
+            )
+        )
+        outputs.append(Signal(f"{name}_torque_ref", "N m", f"air-gap torque reference of {name}"))
+    for number, signal in enumerate(outputs, start=len(w.inputs) + 1):
+        sound = signal_symbol(f"{signal.name.removesuffix('_torque_ref')}_released_sound")
+        unseen = sp.And(fault < sp.Rational(1, 2), sound < sp.Rational(1, 2))
+        w.assign("fault", sp.Piecewise((sp.Integer(number), unseen), (fault, True)), "the first fault is latched")
     authority = w.state("authority", "", "1, going to 0 along the ramp after a fault", 1.0)
     failed = fault > sp.Rational(1, 2)
     ramped = sp.Max(0, authority - h / signal_symbol("fault_ramp"))
     w.assign("authority", sp.Piecewise((ramped, failed), (authority, True)), "ramp to zero torque")
-    outputs = []
-    for machine, name in enumerate(w.design.machines):
-        last = w.state(f"{name}_last", "N m", f"last torque of {name} before a fault")
-        w.assign(last.name, sp.Piecewise((last, failed), (commands[machine], True)))
+    for name in w.design.machines:
+        last, released = signal_symbol(f"{name}_last"), signal_symbol(f"{name}_released")
+        w.assign(last.name, sp.Piecewise((last, failed), (released, True)))
         w.assign(f"{name}_torque_ref", last * authority)
-        outputs.append(Signal(f"{name}_torque_ref", "N m", f"air-gap torque reference of {name}"))
     return tuple(outputs)

@@ -33,7 +33,7 @@ class Participation:
     def strain(self, spring: str) -> float:
         """Return the largest share of a spring in the strain energy of any kept elastic motion."""
         if not len(self._elastic):
-            return 0.0
+            return 1.0  # nothing tells how little it matters
         row = self._full.spring_rows[spring] * self._full.twist_rows
         stiffness = evaluate_matrix(sp.Matrix([[self._full.spring_stiffness[spring]]]), self._values)[0, 0]
         return float(stiffness * np.sum((self._elastic @ evaluate_matrix(row, self._values)[0]) ** 2))

@@ -53,6 +53,7 @@ def plant_block(model: Model, sample_time: float) -> Block:
         If the bed has more friction elements than there are closed forms, or elements that hold one motion, or a
         mode that is too fast for the step.
     """
+    _check_dead_times(model, sample_time)
     block = _Plant(model, sample_time).block()
     evaluator = NumpyBlock(block)
     try:
@@ -62,12 +63,25 @@ def plant_block(model: Model, sample_time: float) -> Block:
     return block
 
 
+def _check_dead_times(model: Model, sample_time: float) -> None:
+    longest = (DELAY_CAPACITY - 1) * sample_time
+    problems = []
+    for torque in model.inputs:
+        dead_time = torque.drive.dead_time
+        if dead_time is not None and model.values[dead_time] > longest:
+            what = f"is {1e6 * model.values[dead_time]:.6g} us, more than {DELAY_CAPACITY - 1} steps of the controller"
+            remedy = f"check the unit, or take a longer sample_time: {1e6 * longest:.6g} us are possible now"
+            problems.append(Problem(f"components.{torque.name}.inverter.dead_time", what, remedy))
+    if problems:
+        raise ModelError(problems)
+
+
 def _too_fast(model: Model, sample_time: float) -> ModelError:
     """Return the error for a mode that is too fast for the step, with the shaft that makes it so."""
     numeric = model.numeric()
 
     def taken(mode: Mode) -> float:
-        """Return the friction velocity that a mode loses over a step per friction torque; negative if it is too fast."""
+        """Return what friction torques take from a mode over a step; negative if the mode is too fast."""
         omega = 2 * np.pi * mode.frequency_hz
         size = float(np.sum((numeric.friction_rows @ mode.vector) ** 2))
         return size * (float(np.sin(omega * sample_time)) / omega if omega > 0 else sample_time)

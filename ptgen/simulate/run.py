@@ -26,6 +26,9 @@ ControllerName = Literal["decoupling", "conventional"]
 
 _REPORTS = 200
 
+_MOST_NUMBERS = 200_000_000
+"""Recorded numbers that a run may keep: 1.6 GB."""
+
 
 def simulate(
     project: Project,
@@ -64,6 +67,10 @@ def simulate(
     steps = round(scenario.duration / sample_time)
     every = max(1, round(scenario.record_every / sample_time))
     rows = (steps + every - 1) // every
+    if rows * len(signals) > _MOST_NUMBERS:
+        what = f"gives {rows} rows of {len(signals)} signals, more than fit into memory"
+        least = every * (rows * len(signals) / _MOST_NUMBERS) * sample_time
+        raise RunError(Problem("scenario.record_every", what, f"take {least:.2g} s or more, or a shorter duration"))
     run = _Run(library, len(project.design.controller.references))
     run.set_parameters(controller, parameters or {})
     run.check("initialisation")

@@ -72,6 +72,33 @@ def test_parameters_out_of_range_are_refused_by_name(controller: CompiledBlock, 
     assert signal.name in controller.status_text(status)
 
 
+def test_overflowing_or_unchecked_parameters_never_reach_a_machine(controller: CompiledBlock) -> None:
+    inputs = {s.name: 400.0 if s.name.endswith("speed_ref") else 20.0 for s in controller.block.inputs}
+    for name, value in {"M2_speed_gain": 1e308, "M1_damping": 1e308, "M1_model_stiffness": 1e308}.items():
+        params = controller.parameters({name: value})
+        status, state = controller.init(params)
+        assert status == 0
+        for _ in range(50):
+            status, outputs = controller.step(state, params, inputs)
+            assert all(math.isfinite(value) for value in outputs.values()), name
+    for signal in controller.block.parameters:
+        params = controller.defaults()
+        _, state = controller.init(params)
+        setattr(params, signal.name, math.nan)  # changed without an update
+        for _ in range(3):
+            _, outputs = controller.step(state, params, inputs)
+            assert all(math.isfinite(value) for value in outputs.values()), signal.name
+
+
+def test_after_a_refused_start_there_is_no_torque(controller: CompiledBlock) -> None:
+    params = controller.parameters({"M1_inertia_estimate": math.nan})
+    refused, state = controller.init(params)
+    assert refused != 0
+    status, outputs = controller.step(state, controller.defaults(), sound_inputs(controller))
+    assert status == refused
+    assert all(value == 0.0 for value in outputs.values())
+
+
 def test_negative_inertia_and_zero_ratio_are_refused(projects: dict[str, Project]) -> None:
     plant = build(projects["differential"]).plant
     for name, value in {
