@@ -67,14 +67,11 @@ def build(
 
 
 def _check_folder(path: Path) -> None:
-    """Check that `path` is a folder, or can become one: the folder that it is to stand in exists."""
+    """Check that `path` is a folder or does not exist yet; folders above it are made with it."""
     if path.is_dir():
         return
     if path.exists():
         raise RunError(Problem("--output", "is a file, not a folder", "name a folder"), str(path))
-    if not path.parent.is_dir():
-        what = f'the folder "{path.parent}" does not exist'
-        raise RunError(Problem("--output", what, "create it first"), str(path))
 
 
 def _inside(path: Path, folder: Path) -> Path:

@@ -143,10 +143,11 @@ def modal(
 
 
 @reported
-def schema() -> None:
+def schema(as_json: AsJson = True) -> None:
     """Print the JSON Schema of test bed files, for editors."""
     from ptgen.testbed import json_schema
 
+    del as_json  # it is JSON in any case; the option is there because every query has it
     sys.stdout.write(json.dumps(json_schema(), indent=2) + "\n")
 
 

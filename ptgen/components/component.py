@@ -5,17 +5,17 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import Annotated, Any, ClassVar
 
 import sympy as sp
-from pydantic import BaseModel, ConfigDict, GetCoreSchemaHandler, GetJsonSchemaHandler
+from pydantic import AfterValidator, BaseModel, ConfigDict, GetCoreSchemaHandler, GetJsonSchemaHandler
 from pydantic.fields import FieldInfo
 from pydantic_core import core_schema
 
 from ptgen import units
 from ptgen.elements import Elements, Parameter
 
-__all__ = ["Component", "Flange", "Quantity", "Record"]
+__all__ = ["Component", "Flange", "Quantity", "Record", "Text"]
 
 
 _LEAST, _MOST = 1e-12, 1e15
@@ -73,6 +73,16 @@ class Record(BaseModel):
     """A frozen part of a test bed file; unknown keys are problems."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", use_attribute_docstrings=True)
+
+
+def _printable(text: str) -> str:
+    if any(not character.isprintable() for character in text):
+        raise ValueError("must be one line of printable text; remove line breaks and control characters")
+    return text
+
+
+Text = Annotated[str, AfterValidator(_printable)]
+"""A line of text that people read."""
 
 
 def _quantity_of(info: FieldInfo) -> Quantity | None:

@@ -153,10 +153,13 @@ def _decouple(reduced: ReducedModel, roles: Roles, machines: tuple[str, ...]) ->
         _rotors(model),
         tuple(form.f for form in forms.values()),
     )
-    eigenvalues = _internal_eigenvalues(system, chains, state_law, values, dict.fromkeys(damping, 1.0))
-    findings.check_internal(eigenvalues)
+    table = {**values, **dict.fromkeys(damping, 1.0)}
+    eigenvalues = _internal_eigenvalues(system, model, chains, state_law, table, reduced.equivalent_damping)
+    findings.check_internal(eigenvalues, _swinging(reduced))
     sensors = tuple(sensor.name for sensor in model.sensors)
-    law = measured_law(reduced.original, model, chains, state_law, forms, actuators, torque_count, machines)
+    law = measured_law(
+        reduced.original, model, chains, state_law, forms, actuators, torque_count, machines, _swinging(reduced)
+    )
     return Decoupling(
         machines=machines,
         outputs=tuple(forms),
@@ -264,20 +267,33 @@ def _state_law(
 
 def _internal_eigenvalues(
     system: AffineSystem,
+    model: Model,
     chains: tuple[OutputChain, ...],
     state_law: tuple[sp.Matrix, sp.Matrix, sp.Matrix],
-    values: dict[sp.Symbol, float],
-    damping: dict[sp.Symbol, float],
+    table: dict[sp.Symbol, float],
+    damping: NDArray[np.float64],
 ) -> NDArray[np.complex128]:
-    """Return the eigenvalues of the motion that leaves all outputs at zero."""
-    table = {**values, **damping}
+    """Return the eigenvalues of the motion that leaves all outputs at zero.
+
+    The law is designed without the damping of the shafts, but whether that motion dies away is decided by it.
+    """
     observed = [row for chain in chains for row in chain.rows[: chain.relative_degree or 0]]
     xi = evaluate_matrix(exact.stack(observed, system.order), table)
     hidden = scipy.linalg.null_space(xi / np.linalg.norm(xi, axis=1, keepdims=True))
     if hidden.shape[1] == 0:
         return np.zeros(0, dtype=np.complex128)
     closed = evaluate_matrix(system.A, table) + evaluate_matrix(system.B, table) @ evaluate_matrix(state_law[1], table)
+    E, mass = evaluate_matrix(model.twist_rows, table), evaluate_matrix(model.mass, table)
+    n_z = len(model.coordinates)
+    closed[:n_z, :n_z] -= np.linalg.solve(mass, E.T @ damping @ E)
     return np.asarray(np.linalg.eigvals(hidden.T @ closed @ hidden), dtype=np.complex128)
+
+
+def _swinging(reduced: ReducedModel) -> tuple[str, ...]:
+    """Return the components whose inertia was kept although it belongs to no machine."""
+    rotors = set(reduced.mechanism.machine_velocities)
+    names = [body.velocity.split(".", 1)[0] for body in reduced.mechanism.bodies if body.velocity not in rotors]
+    return tuple(dict.fromkeys(names))
 
 
 def _by_terms(expression: sp.Expr) -> sp.Expr:

@@ -75,8 +75,11 @@ def check_regular(matrix: sp.Matrix, values: Mapping[sp.Symbol, float], twists: 
     )
 
 
-def check_internal(eigenvalues: NDArray[np.complex128]) -> None:
-    """Raise if the internal dynamics are not asymptotically stable."""
+def check_internal(eigenvalues: NDArray[np.complex128], swinging: Sequence[str]) -> None:
+    """Raise if the internal dynamics are not asymptotically stable.
+
+    `swinging` are the components whose inertia the reduced model keeps besides the machines.
+    """
     if len(eigenvalues) == 0:
         return
     size = max(1.0, float(np.abs(eigenvalues).max()))
@@ -88,17 +91,25 @@ def check_internal(eigenvalues: NDArray[np.complex128]) -> None:
         f"{len(eigenvalues)} states stay behind the controlled quantities (internal dynamics) and are not "
         f"asymptotically stable: eigenvalues {shown} 1/s; they would wind up or oscillate unseen"
     )
-    raise ControlError(Problem("control", what, "let fewer machines control torques, and more control speeds"))
+    remedy = "let fewer machines control torques, and more control speeds"
+    if any(abs(value.imag) > 0 for value in unstable) and swinging:
+        names = ", ".join(f'"{name}"' for name in swinging)
+        remedy = f"give the shafts their damping, or leave the inertia out of the design: [reduction] drop = [{names}]"
+    raise ControlError(Problem("control", what, remedy))
 
 
-def unmeasured(what: str, model: Model) -> ControlError:
+def unmeasured(what: str, model: Model, swinging: Sequence[str]) -> ControlError:
     """Return the error for a law that needs a state which no sensor gives."""
+    remedy = "add a torque flange next to each machine that controls a speed"
+    if swinging:
+        names = ", ".join(f'"{name}"' for name in swinging)
+        remedy += f", or leave the inertia between the machines out of the design: [reduction] drop = [{names}]"
     sensors = ", ".join(sensor.name for sensor in model.sensors)
     return ControlError(
         Problem(
             "components",
             f"{what} needs a state or a disturbance that no combination of the sensors gives ({sensors})",
-            "add a torque flange next to each machine that controls a speed",
+            remedy,
         )
     )
 

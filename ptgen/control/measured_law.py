@@ -48,6 +48,7 @@ def measured_law(
     actuators: tuple[int, ...],
     torque_count: int,
     machines: tuple[str, ...],
+    swinging: tuple[str, ...],
 ) -> Law:
     """Replace states and disturbances by sensors.
 
@@ -66,7 +67,7 @@ def measured_law(
     def combination(wanted: sp.Matrix, order: list[int], what: str) -> sp.Matrix:
         solution = exact.preferred_solution(seen[order, :].T, wanted.T)
         if solution is None:
-            raise findings.unmeasured(what, model)
+            raise findings.unmeasured(what, model, swinging)
         row = sp.zeros(1, count)
         for position, sensor in enumerate(order):
             row[sensor] = solution[position]

@@ -22,7 +22,7 @@ import scipy.linalg
 import sympy as sp
 from numpy.typing import NDArray
 
-from ptgen.elements import FrictionRole
+from ptgen.elements import FrictionRole, Spring
 from ptgen.errors import ModelError, Problem, nearest
 from ptgen.mechanism.applied_rules import (
     AppliedRule,
@@ -44,6 +44,13 @@ from ptgen.mechanism.series import join_series
 from ptgen.testbed.testbed import ReductionSettings
 
 __all__ = ["ReducedModel", "reduce_mechanism"]
+
+
+_SYMBOLIC_MACHINES = 3
+"""With more machines stiffnesses enter the reduced model as numbers; ratios, inertias and damping stay symbols.
+
+Around a tree of differentials the formulas of the torque split over unequal shafts grow beyond what anybody reads.
+"""
 
 
 @dataclass(frozen=True)
@@ -127,7 +134,7 @@ def reduce_mechanism(mechanism: Mechanism, settings: ReductionSettings, full: Mo
     reduced = reduced.without_bodies(removable)
 
     series = join_series(reduced)
-    reduced = series.mechanism
+    reduced = _with_numbers(series.mechanism) if len(mechanism.torques) > _SYMBOLIC_MACHINES else series.mechanism
     undamped = replace(
         _viscous_free(reduced),
         springs=tuple(replace(spring, damping=sp.Integer(0)) for spring in reduced.springs),
@@ -149,6 +156,16 @@ def reduce_mechanism(mechanism: Mechanism, settings: ReductionSettings, full: Mo
         parameters=_parameters(model, damping),
         definitions=series.definitions,
     )
+
+
+def _with_numbers(mechanism: Mechanism) -> Mechanism:
+    """Return the mechanism with the values of all stiffnesses in place of their symbols."""
+    values = mechanism.values
+
+    def number(spring: Spring) -> sp.Rational:
+        return sp.Rational(f"{float(evaluate_matrix(sp.Matrix([[spring.stiffness]]), values)[0, 0]):.12g}")
+
+    return replace(mechanism, springs=tuple(replace(spring, stiffness=number(spring)) for spring in mechanism.springs))
 
 
 def _check_settings(mechanism: Mechanism, settings: ReductionSettings) -> None:

@@ -9,6 +9,7 @@ import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
+from ptgen.analysis.closed_loop import Pole, closed_loop_poles
 from ptgen.control.decoupling import Decoupling
 from ptgen.elements import SensorKind
 from ptgen.mechanism.applied_rules import AppliedRule
@@ -56,6 +57,8 @@ class Derivation:
     gains : tuple of Gain
     conventional : mapping of str to float
         Parameters that make the controller the conventional one.
+    closed_loop : mapping of str to tuple of Pole
+        Poles of the sampled closed loop, dead time and lag included, for both controllers.
     """
 
     title: str
@@ -75,6 +78,7 @@ class Derivation:
     estimates: tuple[Equation, ...]
     gains: tuple[Gain, ...]
     conventional: Mapping[str, float]
+    closed_loop: Mapping[str, tuple[Pole, ...]]
 
     @property
     def internal_eigenvalues(self) -> NDArray[np.complex128]:
@@ -91,6 +95,7 @@ def derivation(project: Project) -> Derivation:
     """Collect the derivation of a bed."""
     reduced, design = project.reduced, project.design
     decoupling = design.decoupling
+    variants = {"decoupling": {}, "conventional": design.controller.conventional}
     return Derivation(
         title=project.testbed.title,
         name=project.testbed.name,
@@ -109,6 +114,9 @@ def derivation(project: Project) -> Derivation:
         estimates=_estimates(decoupling),
         gains=_gains(project),
         conventional=design.controller.conventional,
+        closed_loop={
+            name: closed_loop_poles(project.controller, project.plant, values) for name, values in variants.items()
+        },
     )
 
 

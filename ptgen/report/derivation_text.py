@@ -33,6 +33,7 @@ def derivation_text(found: Derivation) -> Iterator[RenderableType]:
         ("Law", _law(found)),
         ("Testing torque from sensors", _estimates(found)),
         ("Gains", _gains(found)),
+        ("Closed loop", _closed_loop(found)),
     ):
         yield Text(f"\n{heading}\n{'=' * len(heading)}", style="bold cyan")
         yield from parts
@@ -184,3 +185,16 @@ def _gains(found: Derivation) -> Iterator[RenderableType]:
     yield table
     settings = ", ".join(f"{name} = {value:.4g}" for name, value in found.conventional.items())
     yield Text(f"The conventional controller is the same one with {settings}.")
+
+
+def _closed_loop(found: Derivation) -> Iterator[RenderableType]:
+    """Show the slowest and the least damped poles of the emitted code in closed loop, per controller."""
+    yield Text("Poles of controller and full plant as they run: sampled, with lag and dead time, without friction.")
+    for name, poles in found.closed_loop.items():
+        unstable = [pole for pole in poles if pole.damping_ratio < 0]
+        stable = [pole for pole in poles if 0 <= pole.damping_ratio < 1 and pole.z.real > 0]
+        swinging = sorted({(pole.frequency_hz, pole.damping_ratio) for pole in stable})
+        shown = ", ".join(f"{frequency:.4g} Hz with {100 * damping:.3g} %" for frequency, damping in swinging[:6])
+        yield Text(f"  {name}: oscillating poles and their damping: {shown or 'none'}")
+        if unstable:
+            yield Text(f"  {name}: {len(unstable)} poles are UNSTABLE", style="bold red")

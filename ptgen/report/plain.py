@@ -7,6 +7,7 @@ from typing import Any
 
 import sympy as sp
 
+from ptgen.analysis.closed_loop import Pole
 from ptgen.mechanism.modes import Mode
 from ptgen.project import Project
 from ptgen.report.derivation import Derivation
@@ -88,12 +89,17 @@ def derivation_json(found: Derivation) -> dict[str, Any]:
         "estimates": {equation.left[0].name: _terms(equation) for equation in found.estimates},
         "gains": _gains(found),
         "conventional": dict(found.conventional),
+        "closed_loop": {name: _poles(poles) for name, poles in found.closed_loop.items()},
         "values": {symbol.name: value for symbol, value in found.values.items()},
     }
 
 
 def _short(modes: Iterable[Mode]) -> list[dict[str, float]]:
     return [{"frequency_hz": mode.frequency_hz, "damping_ratio": mode.damping_ratio} for mode in modes]
+
+
+def _poles(poles: Iterable[Pole]) -> list[dict[str, float]]:
+    return [{"frequency_hz": pole.frequency_hz, "damping_ratio": pole.damping_ratio} for pole in poles]
 
 
 def _terms(equation: Equation) -> list[dict[str, str]]:

@@ -8,7 +8,7 @@ from os import PathLike
 from pathlib import Path
 from typing import Annotated, Literal
 
-from ptgen.components.component import Quantity, Record
+from ptgen.components.component import Quantity, Record, Text
 from ptgen.errors import Problem, TestbedError, nearest
 from ptgen.testbed.problems import dotted, shown, validated
 from ptgen.testbed.profile import Profile, read_profile
@@ -55,8 +55,8 @@ class Scenario:
 class ScenarioSection(Record):
     """Section ``[scenario]``."""
 
-    title: str = ""
-    description: str = ""
+    title: Text = ""
+    description: Text = ""
     duration: Annotated[float, Quantity("s", "how long the scenario takes")]
     record_every: Annotated[float, Quantity("s", "interval between two recorded instants")]
 

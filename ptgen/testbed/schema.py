@@ -9,7 +9,7 @@ from typing import Annotated, Any
 from pydantic import Field
 
 from ptgen.components.catalogue import CATALOGUE
-from ptgen.components.component import Quantity, Record
+from ptgen.components.component import Quantity, Record, Text
 from ptgen.testbed.names import PATTERN
 from ptgen.testbed.problems import quantity_field
 from ptgen.testbed.testbed import ReductionSettings, Tuning
@@ -22,7 +22,7 @@ class BedSection(Record):
 
     name: Annotated[str, Field(json_schema_extra={"pattern": PATTERN})]
     """A C identifier; the prefix of all emitted code."""
-    title: str = ""
+    title: Text = ""
     """What the bed is called in reports; by default its name."""
     sample_time: Annotated[float, Quantity("s", "sampling time of the controller")]
     connections: tuple[str, ...]
