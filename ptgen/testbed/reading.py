@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 from collections.abc import Mapping
 from os import PathLike
 from typing import Any
@@ -139,7 +140,11 @@ def _components(
             word = table["type"] if isinstance(table["type"], str) else ""
             what = f"is no type of component: {shown(table['type'])}"
             problems.append(Problem(f"{where}.type", what, nearest(word, CATALOGUE)))
-            continue
+            meant = difflib.get_close_matches(word, CATALOGUE, n=1)
+            if not meant:
+                continue
+            kind = CATALOGUE[meant[0]]  # so that the slip does not hide what else is wrong
+            table = {**table, "type": meant[0]}
         types[name] = kind
         component, found = validated(kind, table, "components", name)
         problems += found
