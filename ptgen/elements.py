@@ -22,7 +22,9 @@ __all__ = [
     "Load",
     "Parameter",
     "Place",
+    "Ripple",
     "Row",
+    "Saturation",
     "Sensor",
     "SensorKind",
     "Spring",
@@ -80,13 +82,15 @@ class Constraint:
 class Spring:
     """A Kelvin-Voigt compliance on the twist rate ``row . v`` (source (3.4)).
 
-    Its torque is ``stiffness * twist + damping * (row . v)`` and acts as ``-row' T``.
+    Its torque is ``stiffness * twist + damping * (row . v)`` and acts as ``-row' T``. With a `backlash` the torque is
+    zero in a gap of that width around the twist 0, and beyond it that of the rest of the twist (source (3.5)).
     """
 
     name: str
     row: Row
     stiffness: sp.Expr
     damping: sp.Expr
+    backlash: sp.Expr | None = None
 
 
 class FrictionRole(Enum):
@@ -94,6 +98,7 @@ class FrictionRole(Enum):
 
     LOSS = "loss"
     LIMITED_SLIP = "limited slip"
+    COUPLING = "coupling"
 
 
 @dataclass(frozen=True)
@@ -105,11 +110,53 @@ class Load:
 
 
 @dataclass(frozen=True)
+class Saturation:
+    """A torque that is linear in the velocity up to `speed` and constant beyond: ``slope * min(|w|, speed)``."""
+
+    slope: sp.Expr
+    speed: sp.Expr
+
+
+@dataclass(frozen=True)
+class Ripple:
+    """Dependence of a capacity on the angle of its element: ``1 + amplitude * sin(order * angle + phase)``."""
+
+    amplitude: sp.Expr
+    order: int
+    phase: sp.Expr
+
+
+@dataclass(frozen=True)
 class Friction:
     """A set-valued torque on the relative velocity ``w = row . v``.
 
-    While it slips, ``T = capacity * sign(w) + viscous * w``; while it sticks, ``w = 0`` and ``|T| <= capacity``
-    with ``capacity = coulomb + load.coefficient * |T(load.place)|`` (source (3.34), (3.35)).
+    While it slips, ``T = capacity(w) * sign(w) + viscous * w`` with::
+
+        capacity(w) = mu * (ripple * (coulomb + load * |T(place)| + (static - coulomb) * exp(-|w| / stribeck_speed))
+                            + slope * min(|w|, speed))
+
+    (source (3.12), (3.34), (3.35)). While it sticks, ``w = 0`` and ``|T| <= mu * ripple * (static + load * |T(place)|)``.
+
+    Attributes
+    ----------
+    name : str
+    row : Row
+    coulomb : sympy.Expr
+        Kinetic capacity (N m).
+    viscous : sympy.Expr
+        Viscous friction (N m s/rad); that of an actuated element is scaled with the actuation like all the rest.
+    role : FrictionRole
+    load : Load or None
+    static : sympy.Expr or None
+        Capacity at rest (N m), not below `coulomb`; None if it is the same.
+    stribeck_speed : sympy.Expr or None
+        Velocity over which the capacity falls from `static` to `coulomb` (rad/s); None if it falls at once.
+    saturated : Saturation or None
+    ripple : Ripple or None
+    actuated : bool
+        Whether there is an input ``<name>_actuation``, mu = 0 to 1; otherwise mu = 1.
+    one_way : bool
+        Whether the element holds any positive torque, so that its velocity is never positive: a freewheel.
     """
 
     name: str
@@ -118,6 +165,22 @@ class Friction:
     viscous: sp.Expr
     role: FrictionRole
     load: Load | None = None
+    static: sp.Expr | None = None
+    stribeck_speed: sp.Expr | None = None
+    saturated: Saturation | None = None
+    ripple: Ripple | None = None
+    actuated: bool = False
+    one_way: bool = False
+
+    @property
+    def linear_viscous(self) -> sp.Expr:
+        """Viscous friction that is always there, so that it belongs to the linear part of the bed (N m s/rad)."""
+        return sp.Integer(0) if self.actuated else self.viscous
+
+    @property
+    def at_rest(self) -> sp.Expr:
+        """Capacity at rest without load, ripple and actuation (N m)."""
+        return self.coulomb if self.static is None else self.static
 
 
 @dataclass(frozen=True)

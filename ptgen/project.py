@@ -46,7 +46,15 @@ class Project:
 
     @cached_property
     def model(self) -> Model:
-        """The full model, friction velocities first."""
+        """The full model, friction velocities first, all gaps closed: linear but for friction."""
+        with _located(self.testbed.file):
+            return assemble(self.mechanism.with_closed_backlash())
+
+    @cached_property
+    def plant_model(self) -> Model:
+        """The full model with its gaps."""
+        if not any(spring.backlash is not None for spring in self.mechanism.springs):
+            return self.model
         with _located(self.testbed.file):
             return assemble(self.mechanism)
 
@@ -66,7 +74,7 @@ class Project:
     def plant(self) -> Block:
         """The plant's block."""
         with _located(self.testbed.file):
-            return plant_block(self.model, self.testbed.sample_time)
+            return plant_block(self.plant_model, self.testbed.sample_time)
 
     @property
     def controller(self) -> Block:

@@ -40,12 +40,13 @@ def assemble(mechanism: Mechanism, first: First = "frictions") -> Model:
     Raises
     ------
     ModelError
-        If a velocity has neither inertia nor stiffness, or a friction element acts where there is no inertia.
+        If a velocity has neither inertia nor stiffness, or a friction element or a shaft with backlash acts where
+        there is no inertia.
     """
     mechanism, fixed = with_exact_loops(mechanism, first)
     coordinates = choose_coordinates(mechanism, first)
     if first == "frictions":
-        _check_frictions(mechanism, coordinates)
+        _check_massless(mechanism, coordinates)
     condensed = _condense(mechanism, coordinates, first)
     return _model(mechanism, condensed, fixed)
 
@@ -55,7 +56,7 @@ class _Condensed:
     """Everything over the coordinates that carry inertia.
 
     `follow` maps them to all velocities, `offset` gives the displacement of all velocities per unit of friction
-    torque that the condensed part takes statically.
+    or contact torque that the condensed part takes statically.
     """
 
     names: tuple[str, ...]
@@ -67,9 +68,11 @@ def _condense(mechanism: Mechanism, coordinates: Coordinates, first: First) -> _
     velocities = mechanism.velocities
     kept, S = coordinates.with_inertia, coordinates.S
     if kept == len(coordinates.names):
-        return _Condensed(coordinates.names, S, sp.zeros(len(velocities), len(mechanism.frictions)))
+        columns = len(mechanism.frictions) + len(_contacts(mechanism))
+        return _Condensed(coordinates.names, S, sp.zeros(len(velocities), columns))
     springs = exact.stack([exact.row_vector(s.row, velocities) for s in mechanism.springs], len(velocities)) * S
-    frictions = exact.stack([exact.row_vector(f.row, velocities) for f in mechanism.frictions], len(velocities)) * S
+    acting = [f.row for f in mechanism.frictions] + [spring.row for spring in _contacts(mechanism)]
+    frictions = exact.stack([exact.row_vector(row, velocities) for row in acting], len(velocities)) * S
     K = springs.T * sp.diag(*[spring.stiffness for spring in mechanism.springs]) * springs
     try:
         solved = exact.solve(K[kept:, kept:], K[kept:, :kept].row_join(frictions[:, kept:].T))
@@ -87,21 +90,28 @@ def _condense(mechanism: Mechanism, coordinates: Coordinates, first: First) -> _
     return _Condensed(coordinates.names[:kept], exact.canonical(S * Psi), exact.canonical(S * offset))
 
 
-def _check_frictions(mechanism: Mechanism, coordinates: Coordinates) -> None:
-    """Raise if a friction element can move while no body does: its velocity must follow from those of the bodies."""
+def _contacts(mechanism: Mechanism) -> list[Spring]:
+    return [spring for spring in mechanism.springs if spring.backlash is not None]
+
+
+def _check_massless(mechanism: Mechanism, coordinates: Coordinates) -> None:
+    """Raise if a friction element or a contact can move while no body does.
+
+    Its velocity must follow from those of the bodies.
+    """
     velocities, S = mechanism.velocities, coordinates.S
     bodies = exact.stack(
         [exact.row_vector({body.velocity: sp.Integer(1)}, velocities) for body in mechanism.bodies], len(velocities)
     )
     rank = exact.rank(bodies * S)
+    friction_text = "is a friction element on a velocity without inertia, where sticking and slipping are not defined"
+    contact_text = "has backlash and an end without inertia, whose motion inside the gap is not determined"
+    elements = [(friction.name, friction.row, friction_text) for friction in mechanism.frictions]
+    elements += [(spring.name, spring.row, contact_text) for spring in _contacts(mechanism)]
     problems = [
-        Problem(
-            friction.name,
-            "is a friction element on a velocity without inertia, where sticking and slipping are not defined",
-            "give the component on one of its sides an inertia",
-        )
-        for friction in mechanism.frictions
-        if exact.rank(bodies.col_join(exact.row_vector(friction.row, velocities)) * S) > rank
+        Problem(name, what, "give the component on one of its sides an inertia")
+        for name, row, what in elements
+        if exact.rank(bodies.col_join(exact.row_vector(row, velocities)) * S) > rank
     ]
     if problems:
         raise ModelError(problems)
@@ -138,13 +148,23 @@ def _model(mechanism: Mechanism, condensed: _Condensed, fixed: tuple[sp.Symbol, 
     inertias = sp.diag(*[body.inertia for body in mechanism.bodies])
     spring_rows = rows([spring.row for spring in mechanism.springs])
     twists, E, L = _twists(mechanism.springs, spring_rows)
-    c = sp.diag(*[spring.stiffness for spring in mechanism.springs])
-    d = sp.diag(*[spring.damping for spring in mechanism.springs])
+    linear = [sp.Integer(0 if spring.backlash is not None else 1) for spring in mechanism.springs]
+    c = sp.diag(*[spring.stiffness * factor for spring, factor in zip(mechanism.springs, linear, strict=True)])
+    d = sp.diag(*[spring.damping * factor for spring, factor in zip(mechanism.springs, linear, strict=True)])
+    contacts = _contacts(mechanism)
+    columns = len(mechanism.frictions) + len(contacts)
     velocity_rows = {name: follow[index, :] for index, name in enumerate(velocities)}
     n_e = len(twists)
 
     spring_torques: dict[str, LinearForm] = {}
     for index, spring in enumerate(mechanism.springs):
+        if spring in contacts:
+            unit = sp.zeros(1, columns)
+            unit[0, len(mechanism.frictions) + contacts.index(spring)] = sp.Integer(1)
+            spring_torques[spring.name] = LinearForm(
+                z=sp.zeros(1, n_z), e=sp.zeros(1, n_e), u=sp.zeros(1, n_u), f=unit, a=sp.zeros(1, n_z)
+            )
+            continue
         twist = L[index, :]
         offset = exact.row_vector(spring.row, velocities) * condensed.offset
         spring_torques[spring.name] = LinearForm(
@@ -177,4 +197,7 @@ def _model(mechanism: Mechanism, condensed: _Condensed, fixed: tuple[sp.Symbol, 
         spring_stiffness={spring.name: spring.stiffness for spring in mechanism.springs},
         spring_damping={spring.name: spring.damping for spring in mechanism.springs},
         fixed=fixed,
+        contacts=tuple(contacts),
+        contact_rows=rows([spring.row for spring in contacts]),
+        contact_twists=exact.stack([L[mechanism.springs.index(s), :] for s in contacts], n_e),
     )

@@ -134,6 +134,10 @@ class Mechanism:
             constraints=self.constraints + tuple(Constraint(friction.name, friction.row) for friction in locked),
         )
 
+    def with_closed_backlash(self) -> Mechanism:
+        """Return the mechanism in which all gaps are closed, so that every shaft is linear."""
+        return replace(self, springs=tuple(replace(spring, backlash=None) for spring in self.springs))
+
     def without_frictions(self, names: set[str]) -> Mechanism:
         """Return the mechanism without the named friction elements."""
         return replace(self, frictions=tuple(f for f in self.frictions if f.name not in names))

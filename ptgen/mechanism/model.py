@@ -1,11 +1,11 @@
 r"""Minimal equations of motion of a bed.
 
 .. math::
-    M \dot z = B' u - E'(C e + D E z) - G'(T + \mathrm{diag}(k_v) G z), \qquad \dot e = E z
+    M \dot z = B' u - E'(C e + D E z) - G'(T + \mathrm{diag}(k_v) G z) - H' T_c, \qquad \dot e = E z
 
-with velocities ``z``, twists ``e``, air-gap torques ``u`` and friction torques ``T``. ``M``, ``C`` and ``D``
-are symmetric; friction acts through the transpose of the rows that give its velocities, so it is dissipative
-by construction (source (4.22)-(4.25)).
+with velocities ``z``, twists ``e``, air-gap torques ``u``, friction torques ``T`` and the torques ``T_c`` of shafts
+with backlash, the *contacts*. ``M``, ``C`` and ``D`` are symmetric; friction acts through the transpose of the rows
+that give its velocities, so it is dissipative by construction (source (4.22)-(4.25)).
 """
 
 from __future__ import annotations
@@ -13,13 +13,13 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
-from ptgen.elements import Friction, Parameter, Sensor, Torque
+from ptgen.elements import Friction, Parameter, Sensor, Spring, Torque
 from ptgen.mechanism import exact
 
 __all__ = ["LinearForm", "Model", "NumericModel", "evaluate_matrix"]
@@ -29,7 +29,8 @@ __all__ = ["LinearForm", "Model", "NumericModel", "evaluate_matrix"]
 class LinearForm:
     """A signal as a linear function of the model's variables.
 
-    ``z . velocities + e . twists + u . inputs + f . friction torques + a . accelerations``; each part is a row.
+    ``z . velocities + e . twists + u . inputs + f . friction torques + a . accelerations``; each part is a row. The
+    columns of ``f`` are the friction elements, then the contacts.
     """
 
     z: sp.Matrix
@@ -89,6 +90,12 @@ class Model:
         Each spring's own parameters.
     fixed : tuple of Symbol
         Parameters that the model holds at their values: the ratios of rigid loops, which must agree exactly.
+    contacts : tuple of Spring (n_c)
+        Shafts with backlash; their torques are variables like those of friction, and not part of ``C`` and ``D``.
+    contact_rows : Matrix (n_c, n_z)
+        ``H``, their twist rates.
+    contact_twists : Matrix (n_c, n_e)
+        Their twists in the twist states.
     """
 
     name: str
@@ -112,6 +119,9 @@ class Model:
     spring_stiffness: Mapping[str, sp.Expr]
     spring_damping: Mapping[str, sp.Expr]
     fixed: tuple[sp.Symbol, ...] = ()
+    contacts: tuple[Spring, ...] = ()
+    contact_rows: sp.Matrix = field(default_factory=lambda: sp.zeros(0, 0))
+    contact_twists: sp.Matrix = field(default_factory=lambda: sp.zeros(0, 0))
 
     @property
     def order(self) -> int:
@@ -131,7 +141,7 @@ class Model:
     @property
     def viscous(self) -> sp.Matrix:
         """Viscous friction coefficients as a diagonal matrix (n_f, n_f)."""
-        return sp.diag(*[friction.viscous for friction in self.frictions]) if self.frictions else sp.zeros(0, 0)
+        return sp.diag(*[friction.linear_viscous for friction in self.frictions]) if self.frictions else sp.zeros(0, 0)
 
     def shape_rows(self) -> dict[str, sp.Matrix]:
         """Return the rows of the velocities that show a mode's shape: rotors, all that carry inertia, then the rest.
@@ -152,7 +162,7 @@ class Model:
             z=-E.T * self.damping * E - G.T * self.viscous * G,
             e=-E.T * self.stiffness,
             u=B.T,
-            f=-G.T,
+            f=sp.Matrix.hstack(-G.T, -self.contact_rows.T) if self.contacts else -G.T,
             a=sp.zeros(len(self.coordinates), len(self.coordinates)),
         )
 
@@ -199,6 +209,7 @@ class Model:
             friction_rows=evaluate(self.friction_rows),
             input_rows=evaluate(self.input_rows),
             viscous=evaluate(self.viscous),
+            contact_rows=evaluate(self.contact_rows) if self.contacts else np.zeros((0, len(self.coordinates))),
         )
 
 
@@ -213,9 +224,10 @@ class NumericModel:
     friction_rows: NDArray[np.float64]
     input_rows: NDArray[np.float64]
     viscous: NDArray[np.float64]
+    contact_rows: NDArray[np.float64]
 
     def state_matrices(self) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
-        """Return ``A (n, n)``, ``B (n, n_u)`` and ``F (n, n_f)`` of ``dx/dt = A x + B u + F T``, x = (z, e)."""
+        """Return ``A (n, n)``, ``B (n, n_u)`` and ``F (n, n_f + n_c)`` of ``dx/dt = A x + B u + F T``, x = (z, e)."""
         E, G = self.twist_rows, self.friction_rows
         n_z, n_e = self.mass.shape[0], E.shape[0]
         joined = np.hstack([-E.T @ self.damping @ E - G.T @ self.viscous @ G, -E.T @ self.stiffness])
@@ -224,8 +236,9 @@ class NumericModel:
         A[n_z:, :n_z] = E
         B = np.zeros((n_z + n_e, self.input_rows.shape[0]))
         B[:n_z] = np.linalg.solve(self.mass, self.input_rows.T)
-        F = np.zeros((n_z + n_e, G.shape[0]))
-        F[:n_z] = np.linalg.solve(self.mass, -G.T)
+        rows = np.vstack([G, self.contact_rows])
+        F = np.zeros((n_z + n_e, rows.shape[0]))
+        F[:n_z] = np.linalg.solve(self.mass, -rows.T)
         return A, B, F
 
 

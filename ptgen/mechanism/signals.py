@@ -75,7 +75,8 @@ class SignalForms:
         return self._across(name).scaled(sign)
 
     def _zero(self, z: sp.Matrix | None = None) -> LinearForm:
-        n_u, n_f = len(self._mechanism.torques), len(self._mechanism.frictions)
+        n_u = len(self._mechanism.torques)
+        n_f = len(self._mechanism.frictions) + sum(spring.backlash is not None for spring in self._mechanism.springs)
         return LinearForm(
             z=sp.zeros(1, self._n_z) if z is None else z,
             e=sp.zeros(1, self._n_e),
@@ -98,7 +99,7 @@ class SignalForms:
             share = along(friction.row)
             form.f[0, index] -= share
             for name, value in friction.row.items():
-                form = form + self._zero(z=self._velocity_rows[name] * (-share * friction.viscous * value))
+                form = form + self._zero(z=self._velocity_rows[name] * (-share * friction.linear_viscous * value))
         for spring in self._mechanism.springs:
             share = along(spring.row)
             if share != 0:
