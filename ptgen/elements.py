@@ -135,7 +135,8 @@ class Friction:
         capacity(w) = mu * (ripple * (coulomb + load * |T(place)| + (static - coulomb) * exp(-|w| / stribeck_speed))
                             + slope * min(|w|, speed))
 
-    (source (3.12), (3.34), (3.35)). While it sticks, ``w = 0`` and ``|T| <= mu * ripple * (static + load * |T(place)|)``.
+    (source (3.12), (3.34), (3.35)). While it sticks, ``w = 0`` and ``|T|`` is at most
+    ``mu * ripple * (static + load * |T(place)|)``.
 
     Attributes
     ----------

@@ -68,7 +68,7 @@ class Project:
     def design(self) -> ControlDesign:
         """The control design."""
         with _located(self.testbed.file):
-            return design_control(self.testbed, self.model, self.reduced)
+            return design_control(self.testbed, self.reduced.full, self.reduced)
 
     @cached_property
     def plant(self) -> Block:

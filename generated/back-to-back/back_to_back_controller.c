@@ -133,8 +133,6 @@ const char *back_to_back_controller_status_text(back_to_back_controller_status s
         return "fault: M1_torque_ref was not finite or not plausible";
     case back_to_back_controller_fault_M2_torque_ref:
         return "fault: M2_torque_ref was not finite or not plausible";
-    case back_to_back_controller_bad_input:
-        return "an input is not finite";
     default:
         break;
     }

@@ -85,7 +85,6 @@ typedef enum {
     back_to_back_controller_fault_M2_speed = 6, /* M2_speed was not finite or not plausible */
     back_to_back_controller_fault_M1_torque_ref = 7, /* M1_torque_ref was not finite or not plausible */
     back_to_back_controller_fault_M2_torque_ref = 8, /* M2_torque_ref was not finite or not plausible */
-    back_to_back_controller_bad_input = 1100, /* an input is not finite; the state was left as it was */
     back_to_back_controller_bad_sample_time = 2000, /* outside its range */
     back_to_back_controller_bad_fault_ramp = 2001, /* outside its range */
     back_to_back_controller_bad_flange1_torque_ref_plausible = 2002, /* outside its range */

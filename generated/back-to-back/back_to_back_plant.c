@@ -72,8 +72,10 @@ const char *back_to_back_plant_status_text(back_to_back_plant_status status)
         return "the inertia matrix is not positive definite";
     case back_to_back_plant_exponential_range:
         return "the parameters are too far from those that the code was emitted for; emit it again";
-    case back_to_back_plant_bad_input:
-        return "an input is not finite";
+    case back_to_back_plant_bad_input_M1_torque_ref:
+        return "the input M1_torque_ref is not finite";
+    case back_to_back_plant_bad_input_M2_torque_ref:
+        return "the input M2_torque_ref is not finite";
     default:
         break;
     }
@@ -209,14 +211,25 @@ void back_to_back_plant_measure(const back_to_back_plant_state *s, const back_to
     out->M2_torque = s->x[8];
 }
 
+/* Status of the first input that is not finite or outside its range. */
+static int check_inputs(const back_to_back_plant_inputs *in)
+{
+    if (!back_to_back_is_finite(in->M1_torque_ref)) {
+        return (int)back_to_back_plant_bad_input_M1_torque_ref;
+    }
+    if (!back_to_back_is_finite(in->M2_torque_ref)) {
+        return (int)back_to_back_plant_bad_input_M2_torque_ref;
+    }
+    return 0;
+}
+
 back_to_back_plant_status back_to_back_plant_step(back_to_back_plant_state *s, const back_to_back_plant_params *p,
     const back_to_back_plant_inputs *in, back_to_back_plant_outputs *out)
 {
-    if (!back_to_back_is_finite(in->M1_torque_ref)) {
-        return back_to_back_plant_bad_input;
-    }
-    if (!back_to_back_is_finite(in->M2_torque_ref)) {
-        return back_to_back_plant_bad_input;
+    const int bad = check_inputs(in);
+    if (bad != 0) {
+        back_to_back_plant_measure(s, p, out);
+        return (back_to_back_plant_status)bad;
     }
     back_to_back_real x_free[12];
     back_to_back_zero(sizeof x_free, x_free);

@@ -75,7 +75,8 @@ typedef enum {
     back_to_back_plant_ok = 0,
     back_to_back_plant_mass_matrix = 1001,
     back_to_back_plant_exponential_range = 1002,
-    back_to_back_plant_bad_input = 1100, /* an input is not finite; the state was left as it was */
+    back_to_back_plant_bad_input_M1_torque_ref = 1100, /* is not finite */
+    back_to_back_plant_bad_input_M2_torque_ref = 1101, /* is not finite */
     back_to_back_plant_bad_M1_inertia = 2000, /* outside its range */
     back_to_back_plant_bad_M1_torque_max = 2001, /* outside its range */
     back_to_back_plant_bad_M1_speed_rated = 2002, /* outside its range */
@@ -108,7 +109,7 @@ back_to_back_plant_status back_to_back_plant_init(back_to_back_plant_state *stat
 /* Checks the parameters and prepares what follows from them; the rest of the state stays. */
 back_to_back_plant_status back_to_back_plant_update(back_to_back_plant_state *state, const back_to_back_plant_params *params);
 
-/* One step. */
+/* One step. After a bad input the state is as it was, and the outputs are those of that state. */
 back_to_back_plant_status back_to_back_plant_step(back_to_back_plant_state *state, const back_to_back_plant_params *params,
     const back_to_back_plant_inputs *inputs, back_to_back_plant_outputs *outputs);
 

@@ -6,9 +6,11 @@
  */
 #include "back_to_back_run.h"
 
+#include <string.h>
+
 typedef back_to_back_real real;
 
-const char *const back_to_back_reference_names[back_to_back_reference_count] = {
+const char *const back_to_back_profile_names[back_to_back_profile_count] = {
     "flange1_torque_ref",
     "M2_speed_ref",
 };
@@ -32,7 +34,8 @@ size_t back_to_back_run_size(void) { return sizeof(back_to_back_run); }
 int back_to_back_run_init(back_to_back_run *run)
 {
     run->step = 0;
-    for (int k = 0; k < back_to_back_reference_count; ++k) {
+    memset(&run->driven, 0, sizeof run->driven);
+    for (int k = 0; k < back_to_back_profile_count; ++k) {
         run->cursor[k] = 0;
     }
     run->status = (int)back_to_back_controller_init(&run->controller, &run->controller_params);
@@ -75,7 +78,7 @@ static void record(const back_to_back_run *run, double *row)
     row[10] = (double)run->controller.fault;
 }
 
-long back_to_back_run_steps(back_to_back_run *run, const back_to_back_profile *references, long steps, long record_every, double *recording,
+long back_to_back_run_steps(back_to_back_run *run, const back_to_back_profile *profiles, long steps, long record_every, double *recording,
     long rows, long report_every, back_to_back_report report, void *user)
 {
     long row = 0;
@@ -83,8 +86,8 @@ long back_to_back_run_steps(back_to_back_run *run, const back_to_back_profile *r
     long until_report = report_every;
     for (long done = 0; done < steps; ++done) {
         const double time = (double)run->step * (double)run->plant_params.sample_time;
-        run->inputs.flange1_torque_ref = (real)value_at(&references[0], &run->cursor[0], time);
-        run->inputs.M2_speed_ref = (real)value_at(&references[1], &run->cursor[1], time);
+        run->inputs.flange1_torque_ref = (real)value_at(&profiles[0], &run->cursor[0], time);
+        run->inputs.M2_speed_ref = (real)value_at(&profiles[1], &run->cursor[1], time);
         run->inputs.M1_speed = run->measured.M1_speed;
         run->inputs.flange1_torque = run->measured.flange1_torque;
         run->inputs.flange2_torque = run->measured.flange2_torque;
@@ -98,11 +101,9 @@ long back_to_back_run_steps(back_to_back_run *run, const back_to_back_profile *r
             until_record = record_every;
         }
         --until_record;
-        const back_to_back_plant_inputs torques = {
-            .M1_torque_ref = run->commands.M1_torque_ref,
-            .M2_torque_ref = run->commands.M2_torque_ref,
-        };
-        const int plant = (int)back_to_back_plant_step(&run->plant, &run->plant_params, &torques, &run->measured);
+        run->driven.M1_torque_ref = run->commands.M1_torque_ref;
+        run->driven.M2_torque_ref = run->commands.M2_torque_ref;
+        const int plant = (int)back_to_back_plant_step(&run->plant, &run->plant_params, &run->driven, &run->measured);
         if (run->status == 0) {
             run->status = controller != 0 ? controller : -plant;
         }

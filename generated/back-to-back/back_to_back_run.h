@@ -10,11 +10,11 @@
 #include "back_to_back_controller.h"
 #include "back_to_back_plant.h"
 
-enum { back_to_back_reference_count = 2 };
+enum { back_to_back_profile_count = 2 };
 enum { back_to_back_signal_count = 11 };
 
-/* Names of the references, and of the recorded signals in their order. */
-extern const char *const back_to_back_reference_names[back_to_back_reference_count];
+/* Names of the references, and of the recorded signals, in their order. */
+extern const char *const back_to_back_profile_names[back_to_back_profile_count];
 extern const char *const back_to_back_signal_names[back_to_back_signal_count];
 
 /* A reference over time: straight lines between points, or steps; constant before and after. SI units. */
@@ -33,8 +33,9 @@ typedef struct {
     back_to_back_plant_state plant;
     back_to_back_controller_inputs inputs;
     back_to_back_controller_outputs commands;
+    back_to_back_plant_inputs driven;
     back_to_back_plant_outputs measured;
-    long cursor[back_to_back_reference_count];
+    long cursor[back_to_back_profile_count];
     long step;
     int status; /* first status of controller or plant that was not ok; plant statuses are negative */
 } back_to_back_run;
@@ -51,7 +52,7 @@ int back_to_back_run_init(back_to_back_run *run);
  * Runs `steps` steps. Every `record_every` steps one row of back_to_back_signal_count numbers goes to `recording`, which
  * has room for `rows`. Returns the number of steps done.
  */
-long back_to_back_run_steps(back_to_back_run *run, const back_to_back_profile *references, long steps, long record_every, double *recording,
+long back_to_back_run_steps(back_to_back_run *run, const back_to_back_profile *profiles, long steps, long record_every, double *recording,
     long rows, long report_every, back_to_back_report report, void *user);
 
 #endif

@@ -6,6 +6,7 @@
  */
 #include "back_to_back_support.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -15,6 +16,8 @@
 typedef back_to_back_real real;
 
 real back_to_back_floor(real a) { return floor(a); }
+real back_to_back_exp(real a) { return exp(a); }
+real back_to_back_sin(real a) { return sin(a); }
 
 void back_to_back_zero(size_t bytes, void *array) { memset(array, 0, bytes); }
 
@@ -70,11 +73,50 @@ int back_to_back_cholesky_solve(int n, int columns, real *M, const real *R, real
     return 1;
 }
 
-int back_to_back_require_definite(int n, const real *K)
+int back_to_back_require_definite(int n, int semidefinite, const real *K)
 {
-    real copy[MAX_ORDER * MAX_ORDER];
-    memcpy(copy, K, sizeof(real) * (size_t)(n * back_to_back_padded(n)));
-    return factorise(n, copy);
+    real S[MAX_ORDER * MAX_ORDER];
+    real scale[MAX_ORDER];
+    const int stride = back_to_back_padded(n);
+    const real tolerance = REAL(1024.0) * DBL_EPSILON;
+    for (int i = 0; i < n; ++i) {
+        if (!(K[i * stride + i] > 0.0)) {
+            return 0;
+        }
+        scale[i] = 1.0 / sqrt(K[i * stride + i]);
+    }
+    for (int j = 0; j < n; ++j) {
+        for (int i = 0; i < n; ++i) {
+            S[j * n + i] = K[j * stride + i] * scale[i] * scale[j];
+        }
+    }
+    for (int j = 0; j < n; ++j) {
+        int pivot = j;
+        real least = S[j * n + j];
+        for (int i = j + 1; i < n; ++i) {
+            pivot = S[i * n + i] > S[pivot * n + pivot] ? i : pivot;
+            least = back_to_back_min(least, S[i * n + i]);
+        }
+        if (!(S[pivot * n + pivot] > tolerance)) {
+            return semidefinite && least >= -tolerance;
+        }
+        for (int k = 0; k < n; ++k) {
+            const real entry = S[k * n + j];
+            S[k * n + j] = S[k * n + pivot];
+            S[k * n + pivot] = entry;
+        }
+        for (int k = 0; k < n; ++k) {
+            const real entry = S[j * n + k];
+            S[j * n + k] = S[pivot * n + k];
+            S[pivot * n + k] = entry;
+        }
+        for (int k = j + 1; k < n; ++k) {
+            for (int i = j + 1; i < n; ++i) {
+                S[k * n + i] -= S[j * n + i] * S[k * n + j] / S[j * n + j];
+            }
+        }
+    }
+    return 1;
 }
 
 void back_to_back_insert(int rows, int target_stride, int source_stride, int row, int column, int first, int count,
@@ -152,20 +194,4 @@ int back_to_back_discretise(int n, int total, int squarings, const real *A, cons
         }
     }
     return 1;
-}
-
-void back_to_back_solve_box(int n, const real *K, const real *w, const real *m, real *T, real *w_plus)
-{
-    if (n == 1) {
-        T[0] = back_to_back_clamp(w[0] / K[0], m[0]);
-        w_plus[0] = back_to_back_abs(T[0]) < m[0] ? 0.0 : w[0] - K[0] * T[0];
-        return;
-    }
-    const real *column2 = K + back_to_back_padded(n);
-    const real K11 = K[0], K21 = K[1], K12 = column2[0], K22 = column2[1];
-    const real t2 = back_to_back_clamp((K11 * w[1] - K21 * w[0]) / (K11 * K22 - K12 * K21), m[1]);
-    T[0] = back_to_back_clamp((w[0] - K12 * t2) / K11, m[0]);
-    T[1] = back_to_back_clamp((w[1] - K21 * T[0]) / K22, m[1]);
-    w_plus[0] = back_to_back_abs(T[0]) < m[0] ? 0.0 : w[0] - K11 * T[0] - K12 * T[1];
-    w_plus[1] = back_to_back_abs(T[1]) < m[1] ? 0.0 : w[1] - K21 * T[0] - K22 * T[1];
 }

@@ -31,6 +31,8 @@ static inline back_to_back_real back_to_back_clamp(back_to_back_real value, back
 }
 
 back_to_back_real back_to_back_floor(back_to_back_real a);
+back_to_back_real back_to_back_exp(back_to_back_real a);
+back_to_back_real back_to_back_sin(back_to_back_real a);
 
 /* Number of rows that n rows take in memory. */
 static inline int back_to_back_padded(int n) { return (n + 3) / 4 * 4; }
@@ -46,8 +48,8 @@ void back_to_back_zero(size_t bytes, void *array);
 /* Solves M X = R for symmetric positive definite M (n, n); M is overwritten by its Cholesky factor. */
 int back_to_back_cholesky_solve(int n, int columns, back_to_back_real *M, const back_to_back_real *R, back_to_back_real *X);
 
-/* Whether the symmetric matrix K (n, n) is positive definite. */
-int back_to_back_require_definite(int n, const back_to_back_real *K);
+/* Whether the symmetric matrix K (n, n) is positive definite, or, if asked for, at least semidefinite. */
+int back_to_back_require_definite(int n, int semidefinite, const back_to_back_real *K);
 
 /* Copies `count` columns of `source` (rows, .), from column `first` on, to (row, column) of `target`. */
 void back_to_back_insert(int rows, int target_stride, int source_stride, int row, int column, int first, int count,
@@ -135,12 +137,5 @@ static inline void back_to_back_guard(back_to_back_real value, back_to_back_real
     *held = good ? value : before;
     *sound = good ? 1.0 : 0.0;
 }
-
-/*
- * Friction torques of one step: |T_i| <= m_i, w_plus = w - K T, and w_plus_i is positive only where T_i = m_i,
- * negative only where T_i = -m_i, else exactly zero. Closed forms for one and two elements.
- */
-void back_to_back_solve_box(int n, const back_to_back_real *K, const back_to_back_real *w, const back_to_back_real *m,
-    back_to_back_real *T, back_to_back_real *w_plus);
 
 #endif

@@ -109,7 +109,6 @@ typedef enum {
     differential_gearboxes_controller_fault_M1_torque_ref = 9, /* M1_torque_ref was not finite or not plausible */
     differential_gearboxes_controller_fault_M2_torque_ref = 10, /* M2_torque_ref was not finite or not plausible */
     differential_gearboxes_controller_fault_M3_torque_ref = 11, /* M3_torque_ref was not finite or not plausible */
-    differential_gearboxes_controller_bad_input = 1100, /* an input is not finite; the state was left as it was */
     differential_gearboxes_controller_bad_sample_time = 2000, /* outside its range */
     differential_gearboxes_controller_bad_fault_ramp = 2001, /* outside its range */
     differential_gearboxes_controller_bad_diff_outputs_torque_ref_plausible = 2002, /* outside its range */

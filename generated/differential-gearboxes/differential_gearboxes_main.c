@@ -13,16 +13,16 @@
 #define POINTS 4096
 
 static double times[POINTS];
-static double values[differential_gearboxes_reference_count][POINTS];
+static double values[differential_gearboxes_profile_count][POINTS];
 
 /*
- * Reads references from a CSV file: a head line with `time` and names of references, then rows in SI units.
- * References that are not named stay zero. Returns the number of rows, or -1.
+ * Reads references from a CSV file: a head line with `time` and names of them, then rows in SI units.
+ * Those that are not named stay zero. Returns the number of rows, or -1.
  */
-static long read_references(const char *path)
+static long read_profiles(const char *path)
 {
     char line[4096];
-    int columns[64];
+    int columns[differential_gearboxes_profile_count + 1];
     int count = 0;
     long rows = 0;
     FILE *file = fopen(path, "r");
@@ -33,10 +33,10 @@ static long read_references(const char *path)
         (void)fclose(file);
         return -1;
     }
-    for (char *word = strtok(line, ",\r\n"); word && count < 64; word = strtok(NULL, ",\r\n")) {
+    for (char *word = strtok(line, ",\r\n"); word && count <= differential_gearboxes_profile_count; word = strtok(NULL, ",\r\n")) {
         columns[count] = strcmp(word, "time") == 0 ? -1 : -2;
-        for (int k = 0; k < differential_gearboxes_reference_count; ++k) {
-            if (strcmp(word, differential_gearboxes_reference_names[k]) == 0) {
+        for (int k = 0; k < differential_gearboxes_profile_count; ++k) {
+            if (strcmp(word, differential_gearboxes_profile_names[k]) == 0) {
                 columns[count] = k;
             }
         }
@@ -100,23 +100,23 @@ int main(int argc, char **argv)
 {
     static differential_gearboxes_run run;
     if (argc < 3) {
-        fprintf(stderr, "usage: %s REFERENCES.csv DURATION_S [STEPS_PER_ROW]\nreferences:", argv[0]);
-        for (int k = 0; k < differential_gearboxes_reference_count; ++k) {
-            fprintf(stderr, " %s", differential_gearboxes_reference_names[k]);
+        fprintf(stderr, "usage: %s PROFILES.csv DURATION_S [STEPS_PER_ROW]\nreferences:", argv[0]);
+        for (int k = 0; k < differential_gearboxes_profile_count; ++k) {
+            fprintf(stderr, " %s", differential_gearboxes_profile_names[k]);
         }
         fprintf(stderr, "\n");
         return 2;
     }
-    const long rows = read_references(argv[1]);
+    const long rows = read_profiles(argv[1]);
     const double duration = strtod(argv[2], NULL);
     const long every = argc > 3 ? strtol(argv[3], NULL, 10) : 10;
     if (rows < 1 || !(duration > 0.0) || every < 1) {
         fprintf(stderr, "cannot read references from %s, or the duration is not positive\n", argv[1]);
         return 2;
     }
-    differential_gearboxes_profile references[differential_gearboxes_reference_count];
-    for (int k = 0; k < differential_gearboxes_reference_count; ++k) {
-        references[k] = (differential_gearboxes_profile){ .count = rows, .steps = 0, .time = times, .value = values[k] };
+    differential_gearboxes_profile profiles[differential_gearboxes_profile_count];
+    for (int k = 0; k < differential_gearboxes_profile_count; ++k) {
+        profiles[k] = (differential_gearboxes_profile){ .count = rows, .steps = 0, .time = times, .value = values[k] };
     }
     run.controller_params = differential_gearboxes_controller_defaults;
     run.plant_params = differential_gearboxes_plant_defaults;
@@ -127,7 +127,7 @@ int main(int argc, char **argv)
         }
         printf("\n");
         const long steps = (long)(duration / (double)run.plant_params.sample_time + 0.5);
-        (void)differential_gearboxes_run_steps(&run, references, steps, steps, NULL, 0, every, print_row, &run);
+        (void)differential_gearboxes_run_steps(&run, profiles, steps, steps, NULL, 0, every, print_row, &run);
     }
     if (run.status != 0) {
         const char *text = run.status > 0 ? differential_gearboxes_controller_status_text((differential_gearboxes_controller_status)run.status)

@@ -128,15 +128,19 @@ typedef struct {
     differential_gearboxes_real M1_delay[16]; /* commands to M1 of past steps (N m) */
     differential_gearboxes_real M2_delay[16]; /* commands to M2 of past steps (N m) */
     differential_gearboxes_real M3_delay[16]; /* commands to M3 of past steps (N m) */
-    differential_gearboxes_real friction_torque[4]; /* friction torques of the last step (N m): */
+    differential_gearboxes_real friction_torque[4]; /* friction torques at the end of the step (N m): */
     /*   [0] diff.loss */
     /*   [1] diff.limited_slip */
+    differential_gearboxes_real friction_rest[4]; /* capacities at rest in the last step (N m): */
+    /*   [0] diff.loss */
+    /*   [1] diff.limited_slip */
+    differential_gearboxes_real friction_status; /* 0, or what was wrong with the friction of the last step */
     differential_gearboxes_real transition[29][24]; /* x at the end of the step without friction torques */
     differential_gearboxes_real M1_dead_steps; /* whole steps of dead time */
     differential_gearboxes_real M2_dead_steps; /* whole steps of dead time */
     differential_gearboxes_real M3_dead_steps; /* whole steps of dead time */
-    differential_gearboxes_real gamma_f[2][24]; /* x at the end of the step per friction torque */
-    differential_gearboxes_real K[2][4]; /* friction velocities lost per friction torque (rad/(N m s)) */
+    differential_gearboxes_real gamma[2][24]; /* x at the end of the step per friction and contact torque */
+    differential_gearboxes_real K[2][4]; /* friction velocities lost per mean friction torque (rad/(N m s)) */
 } differential_gearboxes_plant_state;
 
 typedef enum {
@@ -144,7 +148,12 @@ typedef enum {
     differential_gearboxes_plant_mass_matrix = 1001,
     differential_gearboxes_plant_exponential_range = 1002,
     differential_gearboxes_plant_friction_matrix = 1003,
-    differential_gearboxes_plant_bad_input = 1100, /* an input is not finite; the state was left as it was */
+    differential_gearboxes_plant_bad_input_M1_torque_ref = 1100, /* is not finite */
+    differential_gearboxes_plant_bad_input_M2_torque_ref = 1101, /* is not finite */
+    differential_gearboxes_plant_bad_input_M3_torque_ref = 1102, /* is not finite */
+    differential_gearboxes_plant_friction_unsolved = 1501, /* the friction torques are not exact */
+    differential_gearboxes_plant_bad_capacity_diff_loss = 1502, /* the capacity of diff.loss is no number from 0 up; it was taken as 0 */
+    differential_gearboxes_plant_bad_capacity_diff_limited_slip = 1503, /* the capacity of diff.limited_slip is no number from 0 up; it was taken as 0 */
     differential_gearboxes_plant_bad_M1_inertia = 2000, /* outside its range */
     differential_gearboxes_plant_bad_M1_torque_max = 2001, /* outside its range */
     differential_gearboxes_plant_bad_M1_speed_rated = 2002, /* outside its range */
@@ -212,7 +221,7 @@ differential_gearboxes_plant_status differential_gearboxes_plant_init(differenti
 /* Checks the parameters and prepares what follows from them; the rest of the state stays. */
 differential_gearboxes_plant_status differential_gearboxes_plant_update(differential_gearboxes_plant_state *state, const differential_gearboxes_plant_params *params);
 
-/* One step. */
+/* One step. After a bad input the state is as it was, and the outputs are those of that state. */
 differential_gearboxes_plant_status differential_gearboxes_plant_step(differential_gearboxes_plant_state *state, const differential_gearboxes_plant_params *params,
     const differential_gearboxes_plant_inputs *inputs, differential_gearboxes_plant_outputs *outputs);
 

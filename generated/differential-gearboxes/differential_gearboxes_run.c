@@ -6,9 +6,11 @@
  */
 #include "differential_gearboxes_run.h"
 
+#include <string.h>
+
 typedef differential_gearboxes_real real;
 
-const char *const differential_gearboxes_reference_names[differential_gearboxes_reference_count] = {
+const char *const differential_gearboxes_profile_names[differential_gearboxes_profile_count] = {
     "diff_outputs_torque_ref",
     "M2_speed_ref",
     "M3_speed_ref",
@@ -44,7 +46,8 @@ size_t differential_gearboxes_run_size(void) { return sizeof(differential_gearbo
 int differential_gearboxes_run_init(differential_gearboxes_run *run)
 {
     run->step = 0;
-    for (int k = 0; k < differential_gearboxes_reference_count; ++k) {
+    memset(&run->driven, 0, sizeof run->driven);
+    for (int k = 0; k < differential_gearboxes_profile_count; ++k) {
         run->cursor[k] = 0;
     }
     run->status = (int)differential_gearboxes_controller_init(&run->controller, &run->controller_params);
@@ -98,7 +101,7 @@ static void record(const differential_gearboxes_run *run, double *row)
     row[21] = (double)run->controller.fault;
 }
 
-long differential_gearboxes_run_steps(differential_gearboxes_run *run, const differential_gearboxes_profile *references, long steps, long record_every, double *recording,
+long differential_gearboxes_run_steps(differential_gearboxes_run *run, const differential_gearboxes_profile *profiles, long steps, long record_every, double *recording,
     long rows, long report_every, differential_gearboxes_report report, void *user)
 {
     long row = 0;
@@ -106,9 +109,9 @@ long differential_gearboxes_run_steps(differential_gearboxes_run *run, const dif
     long until_report = report_every;
     for (long done = 0; done < steps; ++done) {
         const double time = (double)run->step * (double)run->plant_params.sample_time;
-        run->inputs.diff_outputs_torque_ref = (real)value_at(&references[0], &run->cursor[0], time);
-        run->inputs.M2_speed_ref = (real)value_at(&references[1], &run->cursor[1], time);
-        run->inputs.M3_speed_ref = (real)value_at(&references[2], &run->cursor[2], time);
+        run->inputs.diff_outputs_torque_ref = (real)value_at(&profiles[0], &run->cursor[0], time);
+        run->inputs.M2_speed_ref = (real)value_at(&profiles[1], &run->cursor[1], time);
+        run->inputs.M3_speed_ref = (real)value_at(&profiles[2], &run->cursor[2], time);
         run->inputs.M1_speed = run->measured.M1_speed;
         run->inputs.flange2_torque = run->measured.flange2_torque;
         run->inputs.M2_speed = run->measured.M2_speed;
@@ -123,12 +126,10 @@ long differential_gearboxes_run_steps(differential_gearboxes_run *run, const dif
             until_record = record_every;
         }
         --until_record;
-        const differential_gearboxes_plant_inputs torques = {
-            .M1_torque_ref = run->commands.M1_torque_ref,
-            .M2_torque_ref = run->commands.M2_torque_ref,
-            .M3_torque_ref = run->commands.M3_torque_ref,
-        };
-        const int plant = (int)differential_gearboxes_plant_step(&run->plant, &run->plant_params, &torques, &run->measured);
+        run->driven.M1_torque_ref = run->commands.M1_torque_ref;
+        run->driven.M2_torque_ref = run->commands.M2_torque_ref;
+        run->driven.M3_torque_ref = run->commands.M3_torque_ref;
+        const int plant = (int)differential_gearboxes_plant_step(&run->plant, &run->plant_params, &run->driven, &run->measured);
         if (run->status == 0) {
             run->status = controller != 0 ? controller : -plant;
         }

@@ -171,8 +171,6 @@ const char *differential_controller_status_text(differential_controller_status s
         return "fault: M2_torque_ref was not finite or not plausible";
     case differential_controller_fault_M3_torque_ref:
         return "fault: M3_torque_ref was not finite or not plausible";
-    case differential_controller_bad_input:
-        return "an input is not finite";
     default:
         break;
     }

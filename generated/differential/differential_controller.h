@@ -108,7 +108,6 @@ typedef enum {
     differential_controller_fault_M1_torque_ref = 10, /* M1_torque_ref was not finite or not plausible */
     differential_controller_fault_M2_torque_ref = 11, /* M2_torque_ref was not finite or not plausible */
     differential_controller_fault_M3_torque_ref = 12, /* M3_torque_ref was not finite or not plausible */
-    differential_controller_bad_input = 1100, /* an input is not finite; the state was left as it was */
     differential_controller_bad_sample_time = 2000, /* outside its range */
     differential_controller_bad_fault_ramp = 2001, /* outside its range */
     differential_controller_bad_diff_input_torque_ref_plausible = 2002, /* outside its range */

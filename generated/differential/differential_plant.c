@@ -5,6 +5,7 @@
  * Do not edit: change the test bed file and emit again. This code belongs to whoever emitted it.
  */
 #include "differential_plant.h"
+#include "differential_friction.h"
 
 #include <float.h>
 #include <string.h>
@@ -120,8 +121,18 @@ const char *differential_plant_status_text(differential_plant_status status)
         return "the parameters are too far from those that the code was emitted for; emit it again";
     case differential_plant_friction_matrix:
         return "a mode of the bed is too fast for the step; make a stiff shaft rigid, or the step shorter";
-    case differential_plant_bad_input:
-        return "an input is not finite";
+    case differential_plant_friction_unsolved:
+        return "the friction torques are not exact";
+    case differential_plant_bad_capacity_diff_loss:
+        return "the capacity of diff.loss is no number from 0 up; it was taken as 0";
+    case differential_plant_bad_capacity_diff_limited_slip:
+        return "the capacity of diff.limited_slip is no number from 0 up; it was taken as 0";
+    case differential_plant_bad_input_M1_torque_ref:
+        return "the input M1_torque_ref is not finite";
+    case differential_plant_bad_input_M2_torque_ref:
+        return "the input M2_torque_ref is not finite";
+    case differential_plant_bad_input_M3_torque_ref:
+        return "the input M3_torque_ref is not finite";
     default:
         break;
     }
@@ -145,7 +156,7 @@ differential_plant_status differential_plant_update(differential_plant_state *s,
         }
     }
     memset(s->transition, 0, sizeof s->transition);
-    memset(s->gamma_f, 0, sizeof s->gamma_f);
+    memset(s->gamma, 0, sizeof s->gamma);
     memset(s->K, 0, sizeof s->K);
     differential_real mass[8][8];
     differential_real forces[19][8];
@@ -313,14 +324,14 @@ differential_plant_status differential_plant_update(differential_plant_state *s,
     differential_difference(17, 22, &whole[0][0], &late[0][0], &early[0][0]);
     differential_insert(17, 20, 20, 0, 19, 19, 1, &s->transition[0][0], &late[0][0]);
     differential_insert(17, 20, 20, 0, 22, 19, 1, &s->transition[0][0], &early[0][0]);
-    differential_insert(17, 20, 20, 0, 0, 20, 2, &s->gamma_f[0][0], &whole[0][0]);
+    differential_insert(17, 20, 20, 0, 0, 20, 2, &s->gamma[0][0], &whole[0][0]);
     /* K = -G Gamma_f */
     s->K[0][0] = -whole[20][0];
     s->K[1][0] = -whole[21][0];
     s->K[0][1] = -whole[20][1];
     s->K[1][1] = -whole[21][1];
-    /* friction torques are unique */
-    if (!differential_require_definite(2, &s->K[0][0])) {
+    /* friction can be solved */
+    if (!differential_require_definite(2, 0, &s->K[0][0])) {
         return differential_plant_friction_matrix;
     }
     return differential_plant_ok;
@@ -342,32 +353,52 @@ void differential_plant_measure(const differential_plant_state *s, const differe
     out->M1_torque = s->x[14];
     out->M2_torque = s->x[15];
     out->M3_torque = s->x[16];
-    out->diff_loss_torque = p->diff_loss_viscous * s->x[0] + s->friction_torque[0];
     out->diff_loss_speed = s->x[0];
-    out->diff_limited_slip_torque = p->diff_limited_slip_viscous * s->x[1] + s->friction_torque[1];
+    out->diff_loss_torque = out->diff_loss_speed * p->diff_loss_viscous + s->friction_torque[0];
     out->diff_limited_slip_speed = s->x[1];
+    out->diff_limited_slip_torque = out->diff_limited_slip_speed * p->diff_limited_slip_viscous +
+        s->friction_torque[1];
+}
+
+/* Status of the first input that is not finite or outside its range. */
+static int check_inputs(const differential_plant_inputs *in)
+{
+    if (!differential_is_finite(in->M1_torque_ref)) {
+        return (int)differential_plant_bad_input_M1_torque_ref;
+    }
+    if (!differential_is_finite(in->M2_torque_ref)) {
+        return (int)differential_plant_bad_input_M2_torque_ref;
+    }
+    if (!differential_is_finite(in->M3_torque_ref)) {
+        return (int)differential_plant_bad_input_M3_torque_ref;
+    }
+    return 0;
 }
 
 differential_plant_status differential_plant_step(differential_plant_state *s, const differential_plant_params *p,
     const differential_plant_inputs *in, differential_plant_outputs *out)
 {
-    if (!differential_is_finite(in->M1_torque_ref)) {
-        return differential_plant_bad_input;
-    }
-    if (!differential_is_finite(in->M2_torque_ref)) {
-        return differential_plant_bad_input;
-    }
-    if (!differential_is_finite(in->M3_torque_ref)) {
-        return differential_plant_bad_input;
+    const int bad = check_inputs(in);
+    if (bad != 0) {
+        differential_plant_measure(s, p, out);
+        return (differential_plant_status)bad;
     }
     differential_real x_free[20];
+    differential_real mean_torque[4];
+    differential_real w_start[4];
     differential_real w_free[4];
     differential_real w_plus[4];
-    differential_real capacity[4];
+    differential_real slide[4];
+    differential_real rest[4];
+    differential_real friction_mean[4];
     differential_zero(sizeof x_free, x_free);
+    differential_zero(sizeof mean_torque, mean_torque);
+    differential_zero(sizeof w_start, w_start);
     differential_zero(sizeof w_free, w_free);
     differential_zero(sizeof w_plus, w_plus);
-    differential_zero(sizeof capacity, capacity);
+    differential_zero(sizeof slide, slide);
+    differential_zero(sizeof rest, rest);
+    differential_zero(sizeof friction_mean, friction_mean);
     
     /* torque-speed envelope, Figure 7.1 */
     const differential_real M1_available = p->M1_speed_rated * p->M1_torque_max /
@@ -394,25 +425,45 @@ differential_plant_status differential_plant_step(differential_plant_state *s, c
         p->cardan1_stiffness * s->x[9];
     /* x+ = Phi x + Gamma_u u */
     differential_multiply(17, 23, &s->transition[0][0], s->x, x_free);
+    /* w = G z */
+    w_start[0] = s->x[0];
+    w_start[1] = s->x[1];
     /* predicted */
-    const differential_real diff_input_torque_end = -p->cardan1_damping * (s->friction_torque[0] * s->gamma_f[0][0]
-        + s->friction_torque[1] * s->gamma_f[1][0] + x_free[0]) + p->cardan1_damping * (s->friction_torque[0] *
-        s->gamma_f[0][5] + s->friction_torque[1] * s->gamma_f[1][5] + x_free[5]) + p->cardan1_stiffness *
-        (s->friction_torque[0] * s->gamma_f[0][9] + s->friction_torque[1] * s->gamma_f[1][9] + x_free[9]);
-    /* (3.34), (3.35) at mid-step */
-    capacity[0] = p->diff_loss_coulomb + p->diff_loss_load * differential_abs((0.5) * diff_input_torque_end + (0.5)
-        * diff_input_torque_start);
-    w_free[0] = x_free[0];
-    capacity[1] = p->diff_limited_slip_coulomb + p->diff_limited_slip_load * differential_abs((0.5) *
+    const differential_real diff_input_torque_end = -p->cardan1_damping * (s->friction_torque[0] * s->gamma[0][0] +
+        s->friction_torque[1] * s->gamma[1][0] + x_free[0]) + p->cardan1_damping * (s->friction_torque[0] *
+        s->gamma[0][5] + s->friction_torque[1] * s->gamma[1][5] + x_free[5]) + p->cardan1_stiffness *
+        (s->friction_torque[0] * s->gamma[0][9] + s->friction_torque[1] * s->gamma[1][9] + x_free[9]);
+    /* capacities at mid-step, (3.12), (3.34), (3.35) */
+    slide[0] = p->diff_loss_coulomb + p->diff_loss_load * differential_abs((0.5) * diff_input_torque_end + (0.5) *
+        diff_input_torque_start);
+    rest[0] = p->diff_loss_coulomb + p->diff_loss_load * differential_abs((0.5) * diff_input_torque_end + (0.5) *
+        diff_input_torque_start);
+    slide[1] = p->diff_limited_slip_coulomb + p->diff_limited_slip_load * differential_abs((0.5) *
         diff_input_torque_end + (0.5) * diff_input_torque_start);
+    rest[1] = p->diff_limited_slip_coulomb + p->diff_limited_slip_load * differential_abs((0.5) *
+        diff_input_torque_end + (0.5) * diff_input_torque_start);
+    /* w_free = G z_free */
+    w_free[0] = x_free[0];
     w_free[1] = x_free[1];
-    /* |T| <= m, w+ = w - K T */
-    differential_solve_box(2, &s->K[0][0], w_free, capacity, s->friction_torque, w_plus);
+    /* what sticks, slips and passes zero */
+    differential_friction_step(0, 0, &s->K[0][0], w_start, w_free, slide, rest, s->friction_torque,
+        s->friction_rest, friction_mean, w_plus, &s->friction_status);
+    mean_torque[0] = friction_mean[0];
+    mean_torque[1] = friction_mean[1];
     /* x+ = x_free + Gamma_f T */
-    differential_add_product(17, 2, s->x, x_free, &s->gamma_f[0][0], s->friction_torque);
+    differential_add_product(17, 2, s->x, x_free, &s->gamma[0][0], mean_torque);
     /* exactly zero while it sticks */
     s->x[0] = ((p->standstill_speed > differential_abs(w_plus[0])) ? 0.0 : w_plus[0]);
     s->x[1] = ((p->standstill_speed > differential_abs(w_plus[1])) ? 0.0 : w_plus[1]);
     differential_plant_measure(s, p, out);
+    if (s->friction_status == DIFFERENTIAL_REAL(-1)) {
+        return differential_plant_friction_unsolved;
+    }
+    if (s->friction_status == DIFFERENTIAL_REAL(1)) {
+        return differential_plant_bad_capacity_diff_loss;
+    }
+    if (s->friction_status == DIFFERENTIAL_REAL(2)) {
+        return differential_plant_bad_capacity_diff_limited_slip;
+    }
     return differential_plant_ok;
 }

@@ -109,15 +109,19 @@ typedef struct {
     differential_real M1_delay[16]; /* commands to M1 of past steps (N m) */
     differential_real M2_delay[16]; /* commands to M2 of past steps (N m) */
     differential_real M3_delay[16]; /* commands to M3 of past steps (N m) */
-    differential_real friction_torque[4]; /* friction torques of the last step (N m): */
+    differential_real friction_torque[4]; /* friction torques at the end of the step (N m): */
     /*   [0] diff.loss */
     /*   [1] diff.limited_slip */
+    differential_real friction_rest[4]; /* capacities at rest in the last step (N m): */
+    /*   [0] diff.loss */
+    /*   [1] diff.limited_slip */
+    differential_real friction_status; /* 0, or what was wrong with the friction of the last step */
     differential_real transition[23][20]; /* x at the end of the step without friction torques */
     differential_real M1_dead_steps; /* whole steps of dead time */
     differential_real M2_dead_steps; /* whole steps of dead time */
     differential_real M3_dead_steps; /* whole steps of dead time */
-    differential_real gamma_f[2][20]; /* x at the end of the step per friction torque */
-    differential_real K[2][4]; /* friction velocities lost per friction torque (rad/(N m s)) */
+    differential_real gamma[2][20]; /* x at the end of the step per friction and contact torque */
+    differential_real K[2][4]; /* friction velocities lost per mean friction torque (rad/(N m s)) */
 } differential_plant_state;
 
 typedef enum {
@@ -125,7 +129,12 @@ typedef enum {
     differential_plant_mass_matrix = 1001,
     differential_plant_exponential_range = 1002,
     differential_plant_friction_matrix = 1003,
-    differential_plant_bad_input = 1100, /* an input is not finite; the state was left as it was */
+    differential_plant_bad_input_M1_torque_ref = 1100, /* is not finite */
+    differential_plant_bad_input_M2_torque_ref = 1101, /* is not finite */
+    differential_plant_bad_input_M3_torque_ref = 1102, /* is not finite */
+    differential_plant_friction_unsolved = 1501, /* the friction torques are not exact */
+    differential_plant_bad_capacity_diff_loss = 1502, /* the capacity of diff.loss is no number from 0 up; it was taken as 0 */
+    differential_plant_bad_capacity_diff_limited_slip = 1503, /* the capacity of diff.limited_slip is no number from 0 up; it was taken as 0 */
     differential_plant_bad_M1_inertia = 2000, /* outside its range */
     differential_plant_bad_M1_torque_max = 2001, /* outside its range */
     differential_plant_bad_M1_speed_rated = 2002, /* outside its range */
@@ -181,7 +190,7 @@ differential_plant_status differential_plant_init(differential_plant_state *stat
 /* Checks the parameters and prepares what follows from them; the rest of the state stays. */
 differential_plant_status differential_plant_update(differential_plant_state *state, const differential_plant_params *params);
 
-/* One step. */
+/* One step. After a bad input the state is as it was, and the outputs are those of that state. */
 differential_plant_status differential_plant_step(differential_plant_state *state, const differential_plant_params *params,
     const differential_plant_inputs *inputs, differential_plant_outputs *outputs);
 

@@ -10,11 +10,11 @@
 #include "differential_controller.h"
 #include "differential_plant.h"
 
-enum { differential_reference_count = 3 };
+enum { differential_profile_count = 3 };
 enum { differential_signal_count = 21 };
 
-/* Names of the references, and of the recorded signals in their order. */
-extern const char *const differential_reference_names[differential_reference_count];
+/* Names of the references, and of the recorded signals, in their order. */
+extern const char *const differential_profile_names[differential_profile_count];
 extern const char *const differential_signal_names[differential_signal_count];
 
 /* A reference over time: straight lines between points, or steps; constant before and after. SI units. */
@@ -33,8 +33,9 @@ typedef struct {
     differential_plant_state plant;
     differential_controller_inputs inputs;
     differential_controller_outputs commands;
+    differential_plant_inputs driven;
     differential_plant_outputs measured;
-    long cursor[differential_reference_count];
+    long cursor[differential_profile_count];
     long step;
     int status; /* first status of controller or plant that was not ok; plant statuses are negative */
 } differential_run;
@@ -51,7 +52,7 @@ int differential_run_init(differential_run *run);
  * Runs `steps` steps. Every `record_every` steps one row of differential_signal_count numbers goes to `recording`, which
  * has room for `rows`. Returns the number of steps done.
  */
-long differential_run_steps(differential_run *run, const differential_profile *references, long steps, long record_every, double *recording,
+long differential_run_steps(differential_run *run, const differential_profile *profiles, long steps, long record_every, double *recording,
     long rows, long report_every, differential_report report, void *user);
 
 #endif

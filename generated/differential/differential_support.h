@@ -31,6 +31,8 @@ static inline differential_real differential_clamp(differential_real value, diff
 }
 
 differential_real differential_floor(differential_real a);
+differential_real differential_exp(differential_real a);
+differential_real differential_sin(differential_real a);
 
 /* Number of rows that n rows take in memory. */
 static inline int differential_padded(int n) { return (n + 3) / 4 * 4; }
@@ -46,8 +48,8 @@ void differential_zero(size_t bytes, void *array);
 /* Solves M X = R for symmetric positive definite M (n, n); M is overwritten by its Cholesky factor. */
 int differential_cholesky_solve(int n, int columns, differential_real *M, const differential_real *R, differential_real *X);
 
-/* Whether the symmetric matrix K (n, n) is positive definite. */
-int differential_require_definite(int n, const differential_real *K);
+/* Whether the symmetric matrix K (n, n) is positive definite, or, if asked for, at least semidefinite. */
+int differential_require_definite(int n, int semidefinite, const differential_real *K);
 
 /* Copies `count` columns of `source` (rows, .), from column `first` on, to (row, column) of `target`. */
 void differential_insert(int rows, int target_stride, int source_stride, int row, int column, int first, int count,
@@ -135,12 +137,5 @@ static inline void differential_guard(differential_real value, differential_real
     *held = good ? value : before;
     *sound = good ? 1.0 : 0.0;
 }
-
-/*
- * Friction torques of one step: |T_i| <= m_i, w_plus = w - K T, and w_plus_i is positive only where T_i = m_i,
- * negative only where T_i = -m_i, else exactly zero. Closed forms for one and two elements.
- */
-void differential_solve_box(int n, const differential_real *K, const differential_real *w, const differential_real *m,
-    differential_real *T, differential_real *w_plus);
 
 #endif

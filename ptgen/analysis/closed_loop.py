@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from ptgen.block.block import Block
 from ptgen.block.casadi_evaluator import CasadiBlock
+from ptgen.plant.free import with_free_frictions
 
 __all__ = ["Pole", "closed_loop_matrix", "closed_loop_poles"]
 
@@ -41,20 +42,18 @@ def closed_loop_matrix(
     """Return the state matrix of one step of both blocks in closed loop, linearised at rest, and its states' names.
 
     The matrix is the exact derivative of the blocks themselves, so it holds what the emitted code does: sampling,
-    dead time, computation order. Friction capacities are taken as zero, so no element sticks.
+    dead time, computation order. All friction elements are free, see `ptgen.plant.free`.
 
     Parameters
     ----------
     controller, plant : Block
+        The plant with closed gaps; a gap would be open at rest.
     parameters : mapping, optional
         Parameters that differ from the defaults, by name.
     """
     given = dict(parameters or {})
-    given |= {
-        signal.name: 0.0
-        for signal in plant.parameters
-        if signal.name.endswith(("_coulomb", "_load")) or signal.name == "standstill_speed"
-    }
+    given["standstill_speed"] = 0.0
+    plant = with_free_frictions(plant)
     functions = {block.name: CasadiBlock(block) for block in (controller, plant)}
     fixed = {}
     for block in (controller, plant):
@@ -65,7 +64,8 @@ def closed_loop_matrix(
     measured = dict(zip(CasadiBlock.names(plant.outputs), ca.vertsplit(outputs), strict=True))
     inputs = ca.vertcat(*[measured.get(signal.name, ca.SX(0)) for signal in controller.inputs])
     next_controller, commands = functions["controller"].step(*fixed["controller"], states["controller"], inputs)
-    next_plant, _ = functions["plant"].step(*fixed["plant"], states["plant"], commands)
+    torques = ca.vertcat(commands, ca.DM.zeros(sum(s.size for s in plant.inputs) - commands.shape[0]))  # no actuation
+    next_plant, _ = functions["plant"].step(*fixed["plant"], states["plant"], torques)
     x = ca.vertcat(states["controller"], states["plant"])
     x_next = ca.vertcat(next_controller, next_plant)
     jacobian = ca.Function("jacobian", [x], [ca.jacobian(x_next, x)])

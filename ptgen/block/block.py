@@ -22,6 +22,7 @@ from typing import Literal
 import sympy as sp
 
 __all__ = [
+    "Alarm",
     "Assign",
     "Block",
     "Call",
@@ -105,6 +106,16 @@ Statement = Assign | Call
 
 
 @dataclass(frozen=True)
+class Alarm:
+    """What it means if the state `state` has the value `value` after a step: a name for the status, and a text."""
+
+    state: str
+    value: int
+    name: str
+    text: str
+
+
+@dataclass(frozen=True)
 class Block:
     """A named set of signals and statements; see the module.
 
@@ -120,6 +131,8 @@ class Block:
     faults : tuple of str
         Names of the signals whose failure the state ``fault`` tells by its number, counted from 1; empty for
         blocks without supervision.
+    alarms : tuple of Alarm
+        What a step may have to tell though it went on.
     """
 
     name: str
@@ -134,6 +147,7 @@ class Block:
     step: tuple[Statement, ...] = ()
     measure: tuple[Statement, ...] = ()
     faults: tuple[str, ...] = ()
+    alarms: tuple[Alarm, ...] = ()
     _index: dict[str, Signal] = field(default_factory=dict, init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:

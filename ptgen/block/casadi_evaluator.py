@@ -12,9 +12,9 @@ from typing import Any
 import casadi as ca
 
 from ptgen.block.block import Assign, Block, Call, Signal, parse_element
+from ptgen.block.casadi_friction import backlash_step, friction_step, is_closed_form
 from ptgen.block.expressions import Arithmetic, evaluate
 from ptgen.block.kernels import TAYLOR_DEGREE
-from ptgen.friction.box import MAX_ELEMENTS
 
 __all__ = ["CASADI_KERNELS", "CasadiBlock"]
 
@@ -24,6 +24,7 @@ _ARITHMETIC = Arithmetic(
     maximum=ca.fmax,
     select=ca.if_else,
     exponential=ca.exp,
+    sine=ca.sin,
     floor=ca.floor,
     sign=ca.sign,
     both=ca.logic_and,
@@ -50,6 +51,7 @@ class CasadiBlock:
 
     def __init__(self, block: Block) -> None:
         self.block = block
+        self._kind = _kind(block)
         self.prepare = self._prepare()
         self.step = self._step()
         self.measure = self._measure()
@@ -83,7 +85,7 @@ class CasadiBlock:
         return ca.Function(
             f"{self.block.name}_step",
             list(symbols.values()),
-            [_stack(table, self.block.states, ca.SX), _stack(table, self.block.outputs, ca.SX)],
+            [_stack(table, self.block.states, self._kind), _stack(table, self.block.outputs, self._kind)],
             list(symbols),
             ["next_states", "outputs"],
         )
@@ -92,17 +94,17 @@ class CasadiBlock:
         symbols = self._symbols("parameters", "derived", "states")
         table = self._table(symbols)
         self._run("measure", table)
-        outputs = _stack(table, self.block.outputs, ca.SX)
+        outputs = _stack(table, self.block.outputs, self._kind)
         return ca.Function(f"{self.block.name}_measure", list(symbols.values()), [outputs], list(symbols), ["outputs"])
 
     def _symbols(self, *kinds: str) -> dict[str, Any]:
-        return {kind: ca.SX.sym(kind, sum(s.size for s in getattr(self.block, kind))) for kind in kinds}
+        return {kind: self._kind.sym(kind, sum(s.size for s in getattr(self.block, kind))) for kind in kinds}
 
     def _table(self, symbols: Mapping[str, Any]) -> dict[str, Any]:
         table: dict[str, Any] = {}
         for kind, vector in symbols.items():
             table |= _unstack(vector, getattr(self.block, kind))
-        table |= {s.name: ca.SX.zeros(*_matrix_shape(s)) for s in self.block.arrays + self.block.outputs}
+        table |= {s.name: self._kind.zeros(*_matrix_shape(s)) for s in self.block.arrays + self.block.outputs}
         return table
 
     def _run(self, section: str, table: dict[str, Any]) -> None:
@@ -111,6 +113,16 @@ class CasadiBlock:
                 _store(table, statement.target, evaluate(statement.expression, _Elements(table), _ARITHMETIC))
                 continue
             _call(statement, table)
+
+
+def _kind(block: Block) -> Any:
+    """Return the type of the step's expressions: scalars, unless a kernel is a function that is called."""
+    for statement in block.step:
+        if isinstance(statement, Call) and statement.kernel == "friction_step":
+            n = block.declared(statement.inputs[1]).shape[0]
+            if not is_closed_form(n, statement.numbers[0]):
+                return ca.MX
+    return ca.SX
 
 
 def _call(call: Call, table: dict[str, Any]) -> None:
@@ -210,34 +222,16 @@ def _guard(value: Any, bound: Any, held: Any) -> tuple[Any, Any]:
     return ca.if_else(sound, value, held), ca.if_else(sound, 1.0, 0.0)
 
 
-def _clip(value: Any, bound: Any) -> Any:
-    return ca.fmax(-bound, ca.fmin(bound, value))
-
-
-def _solve_box(K: Any, w: Any, m: Any) -> tuple[Any, Any]:
-    n = w.shape[0]
-    if n == 1:
-        T = _clip(w / K, m)
-    elif n == 2:
-        determinant = K[0, 0] * K[1, 1] - K[0, 1] * K[1, 0]
-        t2 = _clip((K[0, 0] * w[1] - K[1, 0] * w[0]) / determinant, m[1])
-        T1 = _clip((w[0] - K[0, 1] * t2) / K[0, 0], m[0])
-        T = ca.vertcat(T1, _clip((w[1] - K[1, 0] * T1) / K[1, 1], m[1]))
-    else:
-        raise ValueError(f"there is a closed form for up to {MAX_ELEMENTS} friction elements, got {n}")
-    w_plus = w - K @ T
-    return T, ca.vertcat(*[ca.if_else(ca.fabs(T[i]) < m[i], 0.0, w_plus[i]) for i in range(n)])
-
-
 CASADI_KERNELS: dict[str, Any] = {
     "difference": lambda A, B: A - B,
     "insert": _insert,
     "cholesky_solve": lambda M, right: ca.solve(M, right, "ldl"),
     "discretise": _discretise,
-    "require_definite": lambda K: (),
+    "require_definite": lambda K, semidefinite: (),
     "multiply": lambda A, x: A @ x[: A.shape[1]],
     "add_product": _add_product,
     "delay": _delay,
     "guard": _guard,
-    "solve_box": _solve_box,
+    "friction_step": friction_step,
+    "backlash_step": backlash_step,
 }

@@ -27,6 +27,7 @@ class Arithmetic:
     maximum: Callable[[Any, Any], Any]
     select: Callable[[Any, Any, Any], Any]
     exponential: Callable[[Any], Any]
+    sine: Callable[[Any], Any]
     floor: Callable[[Any], Any]
     sign: Callable[[Any], Any]
     both: Callable[[Any, Any], Any]
@@ -90,6 +91,7 @@ def evaluate(expression: Any, table: Mapping[str, Any], arithmetic: Arithmetic) 
         single = {
             sp.Abs: arithmetic.absolute,
             sp.exp: arithmetic.exponential,
+            sp.sin: arithmetic.sine,
             sp.floor: arithmetic.floor,
             sp.sign: arithmetic.sign,
             Not: arithmetic.negate,

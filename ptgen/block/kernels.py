@@ -12,7 +12,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ptgen.friction.box import solve_box
+from ptgen.friction.backlash import backlash_step
+from ptgen.friction.box import is_deficient
+from ptgen.friction.step import friction_step
 
 __all__ = [
     "KERNELS",
@@ -39,16 +41,18 @@ def cholesky_solve(M: Array, right: Array) -> Array:
     return np.asarray(np.linalg.solve(M, right), dtype=np.float64)
 
 
-def require_definite(K: Array) -> tuple[()]:
-    """Check that K (n, n) is positive definite.
+def require_definite(K: Array, *numbers: int) -> tuple[()]:
+    """Check that K (n, n) is positive definite; only semidefinite if the number is 1.
 
     Raises
     ------
     ValueError
-        If it is not: a mode of the bed is too fast for the step.
+        If it is not: a mode of the bed is too fast for the step, or elements hold the same motion.
     """
-    if np.any(np.linalg.eigvalsh(K)[..., 0] <= 0):
-        raise ValueError("friction matrix is not positive definite: a mode of the bed is too fast for the step")
+    (semidefinite,) = numbers
+    for index in np.ndindex(*K.shape[:-2]):
+        if is_deficient(K[index]) and not semidefinite:
+            raise ValueError("friction matrix is not positive definite: elements hold the same motion")
     return ()
 
 
@@ -133,5 +137,6 @@ KERNELS: dict[str, Callable[..., Any]] = {
     "add_product": add_product,
     "delay": delay,
     "guard": guard,
-    "solve_box": solve_box,
+    "friction_step": friction_step,
+    "backlash_step": backlash_step,
 }

@@ -23,6 +23,7 @@ _ARITHMETIC = Arithmetic(
     maximum=np.maximum,
     select=np.where,
     exponential=np.exp,
+    sine=np.sin,
     floor=np.floor,
     sign=np.sign,
     both=np.logical_and,

@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-__all__ = ["AsJson", "BedFile", "ControllerKind", "Directory", "Precision", "PrecisionOption"]
+__all__ = ["AsJson", "BedFile", "ControllerKind", "Directory", "MethodKind", "Precision", "PrecisionOption"]
 
 BedFile = Annotated[Path, typer.Argument(metavar="FILE", help="The test bed file (.toml).", show_default=False)]
 AsJson = Annotated[bool, typer.Option("--json", help="Print JSON for programs, and nothing else, on stdout.")]
@@ -32,3 +32,10 @@ class ControllerKind(StrEnum):
 
     decoupling = "decoupling"
     conventional = "conventional"
+
+
+class MethodKind(StrEnum):
+    """The ways in which the plant of a scenario can be simulated."""
+
+    emitted = "emitted"
+    events = "events"

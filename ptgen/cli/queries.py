@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from ptgen.cli.frictions import dependence_text, dependent_among, kinds
 from ptgen.cli.options import AsJson, BedFile
 from ptgen.cli.outcome import reported
 from ptgen.cli.output import print_json, print_parts
@@ -30,8 +31,11 @@ def check(file: BedFile, as_json: AsJson = False) -> None:
     project = Project.read(file)
     project.blocks()  # every stage that could find a problem
     found = bed_json(project)
+    frictions = {friction.name: kinds(friction) for friction in project.model.frictions}
+    dependent = dependent_among(project.model, frictions)
     if as_json:
-        print_json(found)
+        elements = [{"name": name, "kinds": words} for name, words in frictions.items()]
+        print_json({**found, "friction_elements": elements, "dependent": dependent})
         return
     torque = ", ".join(f"{machine} the torque at {place}" for machine, place in found["torque"].items())
     speed = ", ".join(found["speed"])
@@ -42,6 +46,9 @@ def check(file: BedFile, as_json: AsJson = False) -> None:
             f"  {found['title']}: {found['components']} components, {len(found['machines'])} machines",
             f"  model of order {found['order']}, {found['reduced_order']} after reduction",
             f"  controlled: {roles}",
+            *(["  friction elements:"] if frictions else []),
+            *(f"    {name}: {', '.join(words)}" for name, words in frictions.items()),
+            *(f"  {dependence_text(names)}" for names in dependent),
         ]
     )
 
@@ -128,6 +135,7 @@ def modal(
     project = Project.read(file)
     locked, released = _elements(project.model, lock or (), free or (), project.testbed.file)
     found = modes(project.model, locked)
+    dependent = dependent_among(project.model, locked)
     if plot is not None:
         from ptgen.report.modes_figure import modes_figure
 
@@ -135,11 +143,11 @@ def modal(
     if as_json:
         from ptgen.report.plain import modes_json
 
-        print_json({"name": project.testbed.name, **modes_json(found, locked, released)})
+        print_json({"name": project.testbed.name, **modes_json(found, locked, released), "dependent": dependent})
     else:
         from ptgen.report.modes_text import modes_text
 
-        print_parts(modes_text(found, locked, released))
+        print_parts([*modes_text(found, locked, released), *map(dependence_text, dependent)])
 
 
 @reported

@@ -12,7 +12,7 @@ from rich import box
 from rich.table import Table
 from rich.text import Text
 
-from ptgen.cli.options import AsJson, BedFile, ControllerKind
+from ptgen.cli.options import AsJson, BedFile, ControllerKind, MethodKind
 from ptgen.cli.outcome import reported
 from ptgen.cli.output import messages, print_json, print_parts
 
@@ -32,6 +32,13 @@ def simulate(
     controller: Annotated[
         ControllerKind, typer.Option("--controller", help="The controller that the bed runs with.")
     ] = ControllerKind.decoupling,
+    method: Annotated[
+        MethodKind,
+        typer.Option(
+            "--method",
+            help="The plant as emitted, or simulated from event to event with tight tolerances, to compare with; slow.",
+        ),
+    ] = MethodKind.emitted,
     output: Annotated[
         Path | None, typer.Option("--output", "-o", metavar="CSV", help="Write the recording to this file (.csv).")
     ] = None,
@@ -58,7 +65,9 @@ def simulate(
         show("compile")
         library = build(project)
         show("run")
-        recording = run(project, course, controller=controller.value, library=library, progress=advance)
+        recording = run(
+            project, course, controller=controller.value, method=method.value, library=library, progress=advance
+        )
     if output is not None:
         recording.write_csv(output)
     if plot is not None:
@@ -67,8 +76,8 @@ def simulate(
         title = f"{project.testbed.title} – {course.title or course.name} ({controller.value} controller)"
         save_figure(recording_figure(recording, project, title=title), plot)
     if as_json:
-        named = {"name": project.testbed.name, "scenario": course.name, "controller": controller.value}
-        print_json({**named, **recording.summary()})
+        named = {"name": project.testbed.name, "scenario": course.name}
+        print_json({**named, "controller": controller.value, "method": method.value, **recording.summary()})
     else:
         print_parts(_summary(recording))
 

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from ptgen.components.bearing import Bearing
 from ptgen.components.bevel_differential import BevelDifferential
+from ptgen.components.brake import Brake
+from ptgen.components.clutch import Clutch
 from ptgen.components.component import Component
 from ptgen.components.differential import Differential
 from ptgen.components.epicyclic_differential import EpicyclicDifferential
+from ptgen.components.freewheel import Freewheel
 from ptgen.components.gearbox import Gearbox
 from ptgen.components.inertia import Inertia
 from ptgen.components.machine import Machine
@@ -20,6 +24,10 @@ _TYPES: tuple[type[Component], ...] = (
     Shaft,
     TorqueFlange,
     Gearbox,
+    Clutch,
+    Freewheel,
+    Brake,
+    Bearing,
     Differential,
     BevelDifferential,
     EpicyclicDifferential,

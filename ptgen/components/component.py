@@ -8,14 +8,21 @@ from dataclasses import dataclass
 from typing import Annotated, Any, ClassVar
 
 import sympy as sp
-from pydantic import AfterValidator, BaseModel, ConfigDict, GetCoreSchemaHandler, GetJsonSchemaHandler
+from pydantic import (
+    AfterValidator,
+    BaseModel,
+    BeforeValidator,
+    ConfigDict,
+    GetCoreSchemaHandler,
+    GetJsonSchemaHandler,
+)
 from pydantic.fields import FieldInfo
 from pydantic_core import core_schema
 
 from ptgen import units
 from ptgen.elements import Elements, Parameter
 
-__all__ = ["Component", "Flange", "Quantity", "Record", "Text"]
+__all__ = ["Component", "Flange", "Quantity", "Record", "Switch", "Text"]
 
 
 _LEAST, _MOST = 1e-12, 1e15
@@ -83,6 +90,16 @@ def _printable(text: str) -> str:
 
 Text = Annotated[str, AfterValidator(_printable)]
 """A line of text that people read."""
+
+
+def _true_or_false(value: object) -> object:
+    if not isinstance(value, bool):
+        raise ValueError(f"must be true or false, got {value!r}; write the word without quotation marks")
+    return value
+
+
+Switch = Annotated[bool, BeforeValidator(_true_or_false)]
+"""True or false, and nothing that merely looks like it."""
 
 
 def _quantity_of(info: FieldInfo) -> Quantity | None:

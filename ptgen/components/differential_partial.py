@@ -12,7 +12,7 @@ from typing import ClassVar, Literal
 import sympy as sp
 
 from ptgen.components.component import Component, Flange
-from ptgen.components.friction import LoadDependentFriction
+from ptgen.components.friction import LoadDependentFriction, ripple_at, saturation_at
 from ptgen.elements import Friction, FrictionRole, Load, Place
 
 __all__ = ["DifferentialPartial"]
@@ -47,5 +47,15 @@ class DifferentialPartial(Component):
         if getattr(self, part) is None:
             return ()
         coulomb, load, viscous = (self.symbol(name, part, key) for key in ("coulomb", "load", "viscous"))
-        row = {velocity: sp.Integer(1)}
-        return (Friction(f"{name}.{part}", row, coulomb, viscous, role, Load(load, f"{name}.input")),)
+        return (
+            Friction(
+                f"{name}.{part}",
+                {velocity: sp.Integer(1)},
+                coulomb=coulomb,
+                viscous=viscous,
+                role=role,
+                load=Load(load, f"{name}.input"),
+                saturated=saturation_at(self, name, part, "saturation"),
+                ripple=ripple_at(self, name, part, "ripple"),
+            ),
+        )

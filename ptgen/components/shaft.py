@@ -1,13 +1,22 @@
-r"""Torsionally flexible shaft without inertia (Kelvin-Voigt).
+r"""Torsionally flexible shaft without inertia (Kelvin-Voigt), on request with backlash.
 
 Flanges
     ``left`` and ``right``. The torque is positive when it drives the right-hand side.
 Equations
     .. math:: T_s = d_s (\omega_1 - \omega_2) + c_s \int (\omega_1 - \omega_2)\,dt \qquad (3.4)
+
+    With backlash, for :math:`\Delta\varphi = \varphi_1 - \varphi_2` outside the gap,
+    :math:`|\Delta\varphi| \ge \theta_{bl} / 2`,
+
+    .. math:: T_s = d_s (\omega_1 - \omega_2)
+              + c_s \left(\Delta\varphi - \frac{\theta_{bl}}{2}\,\mathrm{sgn}\,\Delta\varphi\right) \qquad (3.5)
+
+    and :math:`T_s = 0` inside it.
 Assumptions
-    Linear; no backlash; its inertia is added to the neighbours; cardan joints without angle.
+    Linear outside the gap; its inertia is added to the neighbours; cardan joints without angle. Both ends of a shaft
+    with backlash need an inertia. The model for the controller has the gap closed.
 Reference
-    (3.4), Section 3.3.
+    (3.4), (3.5), Section 3.3.
 """
 
 from __future__ import annotations
@@ -32,7 +41,9 @@ class Shaft(Component):
     type: Literal["shaft"]
     stiffness: Annotated[float, Quantity("N m/rad", "torsional stiffness c_s")]
     damping: Annotated[float, Quantity("N m s/rad", "internal damping d_s", positive=False)] = 0.0
+    backlash: Annotated[float, Quantity("rad", "full width theta_bl of the gap")] | None = None
 
     def elements(self, name: str) -> Elements:
         row = {f"{name}.left": sp.Integer(1), f"{name}.right": sp.Integer(-1)}
-        return Elements(springs=(Spring(name, row, self.symbol(name, "stiffness"), self.symbol(name, "damping")),))
+        gap = None if self.backlash is None else self.symbol(name, "backlash")
+        return Elements(springs=(Spring(name, row, self.symbol(name, "stiffness"), self.symbol(name, "damping"), gap),))

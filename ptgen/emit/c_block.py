@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from ptgen.block.block import Assign, Block, Call, Section, Signal, Statement, parse_element
 from ptgen.emit.c_expressions import CExpressions, Precision, literal
 
-__all__ = ["CBlock", "CField", "padded"]
+__all__ = ["BAD_INPUT", "CBlock", "CField", "CInput", "padded"]
 
 _FAILURES = {
     "cholesky_solve": "mass_matrix",
@@ -28,6 +28,20 @@ class CField:
     dimensions: str
     comment: str
     initial: str
+
+
+BAD_INPUT = 1100
+"""Status of a block whose first input is refused; further inputs follow."""
+
+
+@dataclass(frozen=True)
+class CInput:
+    """An input of a step: the condition under which it is refused, true for NaN, and what is said of it then."""
+
+    name: str
+    status: int
+    refused: str
+    said: str
 
 
 def _wrapped(line: str) -> list[str]:
@@ -66,6 +80,7 @@ class CBlock:
         self.states = [self._field(signal) for signal in block.states]
         self.derived = [self._field(signal) for signal in block.derived]
         self.faults = block.faults
+        self.alarms = block.alarms
         self.has_measure = bool(block.measure)
 
     # -- declarations
@@ -76,6 +91,11 @@ class CBlock:
         if signal.entries:
             unit += ":"
         return CField(signal.name, self._dimensions(signal.shape), unit, value)
+
+    @property
+    def has_friction(self) -> bool:
+        """Whether the block solves for friction or contact torques."""
+        return bool({"friction_step", "backlash_step"} & {s.kernel for s in self.block.step if isinstance(s, Call)})
 
     def entry_comments(self, name: str) -> list[str]:
         """Return the meaning of each entry of an array, for the header."""
@@ -112,6 +132,37 @@ class CBlock:
                 }
             )
         return rows
+
+    def input_limits(self) -> list[CInput]:
+        """Return what each input is held against; blocks with supervision judge their inputs themselves."""
+        if self.faults:
+            return []
+        return [
+            CInput(signal.name, BAD_INPUT + index, self._refused(signal), self._wanted(signal))
+            for index, signal in enumerate(self.block.inputs)
+        ]
+
+    def _refused(self, signal: Signal) -> str:
+        value, parts = f"in->{signal.name}", []
+        if signal.least is not None:
+            parts.append(f"{value} {'>=' if signal.least_allowed else '>'} {literal(signal.least, self.precision)}")
+        if signal.most is not None:
+            parts.append(f"{value} <= {literal(signal.most, self.precision)}")
+        if len(parts) < 2:
+            parts.append(f"{self.prefix}_is_finite({value})")
+        return f"!({' && '.join(parts)})" if len(parts) > 1 else f"!{parts[0]}"
+
+    @staticmethod
+    def _wanted(signal: Signal) -> str:
+        match signal.least, signal.most:
+            case None, None:
+                return "is not finite"
+            case least, None:
+                return f"is outside its range from {least:g}"
+            case None, most:
+                return f"is outside its range to {most:g}"
+            case least, most:
+                return f"is outside its range {least:g} to {most:g}"
 
     @property
     def _largest(self) -> str:
@@ -204,7 +255,7 @@ class CBlock:
             return [str(shapes[2][0]), str(shapes[2][1])]
         if call.kernel == "delay":
             return [str(shapes[0][0])]
-        if call.kernel in ("solve_box", "require_definite"):
+        if call.kernel == "require_definite":
             return [str(shapes[0][0])]
         return []
 

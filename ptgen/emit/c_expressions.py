@@ -98,6 +98,12 @@ class CExpressions(C99CodePrinter):  # type: ignore[misc]
     def _print_Abs(self, expr: Any) -> str:
         return f"{self._prefix_name}_abs({self._print(expr.args[0])})"
 
+    def _print_exp(self, expr: Any) -> str:
+        return f"{self._prefix_name}_exp({self._print(expr.args[0])})"
+
+    def _print_sin(self, expr: Any) -> str:
+        return f"{self._prefix_name}_sin({self._print(expr.args[0])})"
+
     def _print_floor(self, expr: Any) -> str:
         return f"{self._prefix_name}_floor({self._print(expr.args[0])})"
 

@@ -5,22 +5,16 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from ptgen.block.block import Block
-from ptgen.block.kernels import TAYLOR_DEGREE
+from ptgen.emit.block_files import block_files, common_context
 from ptgen.emit.c_block import CBlock
-from ptgen.emit.c_expressions import Precision, literal
+from ptgen.emit.c_expressions import Precision
 from ptgen.emit.casadi_files import casadi_files
+from ptgen.emit.friction_source import uses_friction
 from ptgen.emit.templates import render
 from ptgen.files import write_files
 from ptgen.project import Project
 
-__all__ = ["RecordedSignal", "generate", "project_files", "recorded_signals"]
-
-_FAILURE_TEXTS = {
-    "mass_matrix": "the inertia matrix is not positive definite",
-    "exponential_range": "the parameters are too far from those that the code was emitted for; emit it again",
-    "friction_matrix": "a mode of the bed is too fast for the step; make a stiff shaft rigid, or the step shorter",
-}
+__all__ = ["RecordedSignal", "actuation_names", "generate", "project_files", "recorded_signals"]
 
 
 @dataclass(frozen=True)
@@ -33,16 +27,24 @@ class RecordedSignal:
 
 
 def recorded_signals(project: Project) -> tuple[RecordedSignal, ...]:
-    """Return the signals of a recording: references, what the plant puts out, commands, fault."""
+    """Return the signals of a recording: references, actuations, what the plant puts out, commands, fault."""
     controller, plant = project.blocks()
+    actuations = set(actuation_names(project).values())
     references = set(project.design.controller.references.values())
     signals = [
         RecordedSignal(s.name, s.unit, f"run->inputs.{s.name}") for s in controller.inputs if s.name in references
     ]
+    signals += [RecordedSignal(s.name, s.unit, f"run->driven.{s.name}") for s in plant.inputs if s.name in actuations]
     signals += [RecordedSignal(s.name, s.unit, f"run->measured.{s.name}") for s in plant.outputs]
     signals += [RecordedSignal(s.name, s.unit, f"run->commands.{s.name}") for s in controller.outputs]
     signals.append(RecordedSignal("fault", "", "run->controller.fault"))
     return tuple(signals)
+
+
+def actuation_names(project: Project) -> dict[str, str]:
+    """Return the plant's input for each actuated friction element of the bed, in the order of the inputs."""
+    wanted = {f"{name.replace('.', '_')}_actuation": name for name in project.testbed.actuated}
+    return {wanted[signal.name]: signal.name for signal in project.plant.inputs if signal.name in wanted}
 
 
 def project_files(project: Project, precision: Precision = "double") -> dict[str, str | bytes]:
@@ -63,44 +65,31 @@ def project_files(project: Project, precision: Precision = "double") -> dict[str
     prefix = testbed.name
     controller, plant = project.blocks()
     references = project.design.controller.references
+    actuations = list(actuation_names(project).values())
     names = {signal.name for signal in plant.outputs}
-    blocks = {block.name: CBlock(block, prefix, precision) for block in (controller, plant)}
-    conventional = {name: literal(value, precision) for name, value in project.design.controller.conventional.items()}
+    common = common_context(prefix, Path(testbed.file).name, testbed.digest, precision)
     context: dict[str, object] = {
-        "prefix": prefix,
+        **common,
         "title": testbed.title,
-        "bed_file": Path(testbed.file).name,
-        "digest": testbed.digest,
-        "precision": precision,
         "sample_time": f"{testbed.sample_time:g}",
-        "zero": literal(0.0, precision),
-        "one": literal(1.0, precision),
-        "sqrt": "sqrtf" if precision == "float" else "sqrt",
-        "floor": "floorf" if precision == "float" else "floor",
-        "taylor_degree": TAYLOR_DEGREE,
-        "max_order": _max_order(plant),
         "references": list(references.values()),
         "measured": [signal.name for signal in controller.inputs if signal.name in names],
-        "commands": [signal.name for signal in plant.inputs],
+        "actuations": actuations,
+        "commands": [signal.name for signal in plant.inputs if signal.name not in actuations],
         "signals": recorded_signals(project),
-        "failure_texts": _FAILURE_TEXTS,
-        "controller": blocks["controller"],
+        "friction": uses_friction(plant) is not None,
+        "controller": CBlock(controller, prefix, precision),
         "law": {name: str(text) for name, text in project.design.decoupling.law_expressions().items()},
     }
+    variants = {controller.name: {"conventional": project.design.controller.conventional}}
     files: dict[str, str | bytes] = {
-        f"{prefix}_support.h": render("support.h.jinja", **context),
-        f"{prefix}_support.c": render("support.c.jinja", **context),
         f"{prefix}_run.h": render("run.h.jinja", **context),
         f"{prefix}_run.c": render("run.c.jinja", **context),
         f"{prefix}_main.c": render("main.c.jinja", **context),
         "CMakeLists.txt": render("CMakeLists.txt.jinja", **context),
         "README.md": render("README.md.jinja", **context),
+        **block_files((controller, plant), common, variants),
     }
-    for name, block in blocks.items():
-        variants = {"conventional": conventional} if name == "controller" else {}
-        for suffix in ("h", "c"):
-            text = render(f"block.{suffix}.jinja", block=block, variants=variants, **context)
-            files[f"{prefix}_{name}.{suffix}"] = text
     for block_ in (controller, plant):
         files |= {f"casadi/{name}": content for name, content in casadi_files(block_, prefix).items()}
     return dict(sorted(files.items()))
@@ -117,8 +106,3 @@ def generate(project: Project, directory: Path, precision: Precision = "double")
         From any stage, or if the folder cannot be written.
     """
     return write_files(directory, project_files(project, precision))
-
-
-def _max_order(plant: Block) -> int:
-    """Return the order of the exponential: columns of the matrix A of the plant."""
-    return plant.declared("A").shape[1]

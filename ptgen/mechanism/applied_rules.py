@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
@@ -9,6 +10,8 @@ import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
+from ptgen.elements import Spring
+from ptgen.mechanism.idle_parts import IdlePart, component_of
 from ptgen.mechanism.mechanism import Mechanism
 from ptgen.mechanism.model import Model, evaluate_matrix
 from ptgen.mechanism.modes import Mode
@@ -18,11 +21,13 @@ from ptgen.testbed.testbed import ReductionSettings
 
 __all__ = [
     "AppliedRule",
-    "component_of",
+    "backlash_rule",
     "condensation_rules",
     "damping_rule",
     "drive_rules",
+    "idle_rule",
     "inertia_rule",
+    "lock_rule",
     "loss_rule",
     "reference_rules",
     "rigid_rule",
@@ -36,8 +41,8 @@ class AppliedRule:
     Attributes
     ----------
     rule : str
-        ``drop losses``, ``drop damping``, ``idealise drive``, ``drop inertia``, ``rigidise``, ``condense`` or
-        ``refer``.
+        ``close backlash``, ``lock``, ``leave out``, ``drop losses``, ``drop damping``, ``idealise drive``,
+        ``drop inertia``, ``rigidise``, ``condense`` or ``refer``.
     element : str
         The element it was applied to.
     why : str
@@ -52,9 +57,54 @@ class AppliedRule:
     numbers: Mapping[str, float]
 
 
-def component_of(velocity: str) -> str:
-    """Return the component that a velocity belongs to."""
-    return velocity.split(".", 1)[0]
+def backlash_rule(mechanism: Mechanism, spring: Spring) -> AppliedRule:
+    """Return the rule that closes the gap of a shaft, with the torque that twists it by as much as the gap."""
+    gap, stiffness = (
+        float(evaluate_matrix(sp.Matrix([[part]]), mechanism.values)[0, 0])
+        for part in (sp.sympify(spring.backlash), spring.stiffness)
+    )
+    degrees, torque = math.degrees(gap), stiffness * gap
+    return AppliedRule(
+        "close backlash",
+        spring.name,
+        f"as long as its torque keeps its sign the gap of {degrees:.3g} degrees stays closed; "
+        f"{torque:.4g} N m twist the shaft by as much",
+        {"gap_degrees": degrees, "torque": torque},
+    )
+
+
+def lock_rule(mechanism: Mechanism, name: str) -> AppliedRule:
+    """Return the rule that takes a friction element for locked, with the least torque that it then holds."""
+    friction = next(f for f in mechanism.frictions if f.name == name)
+
+    def value(expression: sp.Expr) -> float:
+        return float(evaluate_matrix(sp.Matrix([[expression]]), mechanism.values)[0, 0])
+
+    least = 1.0 if friction.ripple is None else 1.0 - value(friction.ripple.amplitude)
+    held = least * value(friction.at_rest)
+    load = 0.0 if friction.load is None else least * value(friction.load.coefficient)
+    if friction.one_way:
+        why = f"it stays engaged while its torque is above {0.0 - held:.4g} N m"
+    else:
+        share = f" and {100 * load:.3g} % of the torque at {friction.load.place}" if friction.load and load else ""
+        why = f"it sticks up to {held:.4g} N m{share}{', fully actuated' if friction.actuated else ''}"
+    return AppliedRule("lock", name, f"asked for in the file; {why}", {"at_rest": held, "load": load})
+
+
+def idle_rule(mechanism: Mechanism, part: IdlePart) -> AppliedRule:
+    """Return the rule that leaves out a part that no machine acts on, with its inertia."""
+    inertia = sum(
+        float(evaluate_matrix(sp.Matrix([[body.inertia]]), mechanism.values)[0, 0])
+        for body in mechanism.bodies
+        if body.velocity in part.velocities
+    )
+    means = f" while {', '.join(part.frictions)} slip" if part.frictions else ""
+    return AppliedRule(
+        "leave out",
+        ", ".join(part.names),
+        f"no machine acts on these {inertia:.3g} kg m^2{means}",
+        {"inertia": inertia},
+    )
 
 
 def loss_rule(mechanism: Mechanism, name: str) -> AppliedRule:
@@ -63,10 +113,11 @@ def loss_rule(mechanism: Mechanism, name: str) -> AppliedRule:
     values = mechanism.values
     coulomb = evaluate_matrix(sp.Matrix([[friction.coulomb]]), values)[0, 0]
     load = evaluate_matrix(sp.Matrix([[friction.load.coefficient]]), values)[0, 0] if friction.load else 0.0
+    share = f" and {100 * load:.3g} % of the torque" if friction.load else ""
     return AppliedRule(
         "drop losses",
         name,
-        f"the torque controller's integrator covers {coulomb:g} N m and {100 * load:.3g} % of the torque",
+        f"the torque controller's integrator covers {coulomb:g} N m{share}",
         {"coulomb": coulomb, "load": load},
     )
 

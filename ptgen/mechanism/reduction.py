@@ -7,7 +7,11 @@ between the machines. A part may go if it takes hardly any share in any motion m
 * a shaft is made rigid if its share of the strain energy stays below `stiffness_share`, where an inertia that
   must stay would otherwise keep it as a state;
 * velocities without inertia are condensed statically (`ptgen.mechanism.assembly`);
-* losses, internal damping, lag and dead time of the drives are left out.
+* losses, internal damping, lag and dead time of the drives are left out, and the gaps of shafts are closed.
+
+Friction elements that couple, such as clutches and limited slips, act as disturbances; those that the file names in
+`locked` are rigid, in the full model too that the reduced one is compared with. What no machine acts on while they slip
+is left out (`ptgen.mechanism.idle_parts`).
 
 Every rule that was applied is listed with the numbers that justify it, and with the modes before and after.
 """
@@ -26,16 +30,19 @@ from ptgen.elements import FrictionRole, Spring
 from ptgen.errors import ModelError, Problem, nearest
 from ptgen.mechanism.applied_rules import (
     AppliedRule,
-    component_of,
+    backlash_rule,
     condensation_rules,
     damping_rule,
     drive_rules,
+    idle_rule,
     inertia_rule,
+    lock_rule,
     loss_rule,
     reference_rules,
     rigid_rule,
 )
 from ptgen.mechanism.assembly import assemble
+from ptgen.mechanism.idle_parts import component_of, idle_parts, without_parts
 from ptgen.mechanism.mechanism import Mechanism
 from ptgen.mechanism.model import Model, evaluate_matrix
 from ptgen.mechanism.modes import Mode, modes
@@ -60,14 +67,17 @@ class ReducedModel:
     Attributes
     ----------
     model : Model
-        Undamped, over the velocities of the machines; the limited slip acts as a disturbance.
+        Undamped, over the velocities of the machines; friction that couples acts as a disturbance.
     mechanism : Mechanism
         The reduced elements.
     original : Mechanism
-        The elements before reduction.
+        The elements before reduction, gaps closed and what the file names locked.
+    full : Model
+        The full model of these.
     rules : tuple of AppliedRule
     modes_before, modes_after : tuple of Mode
-        Modes of the full and of the reduced model, friction elements free.
+        Modes of the full model, without what no machine acts on, and of the reduced model; friction elements are free
+        unless they are locked.
     equivalent_damping : ndarray (n_e, n_e)
         Damping of the twists (N m s/rad) as (3.7) gives it; left out of `model`.
     parameters : mapping of str to float
@@ -79,6 +89,7 @@ class ReducedModel:
     model: Model
     mechanism: Mechanism
     original: Mechanism
+    full: Model
     rules: tuple[AppliedRule, ...]
     modes_before: tuple[Mode, ...]
     modes_after: tuple[Mode, ...]
@@ -94,33 +105,43 @@ def reduce_mechanism(mechanism: Mechanism, settings: ReductionSettings, full: Mo
     ----------
     mechanism : Mechanism
     settings : ReductionSettings
-        Thresholds, and components that must be rigid, kept or dropped.
+        Thresholds, components that must be rigid, kept or dropped, and friction elements that are locked.
     full : Model, optional
-        The full model, if it was assembled already.
+        The full model with closed gaps and nothing locked, if it was assembled already.
 
     Raises
     ------
     ModelError
-        If a component named in the settings has nothing that could be kept, dropped or made rigid.
+        If a component named in the settings has nothing that could be kept, dropped or made rigid, a name in
+        `locked` is no friction element, or a machine cannot turn while these are locked.
 
     References
     ----------
     Section 5.3 of the source: (5.1)-(5.14); Appendix B.
     """
     _check_settings(mechanism, settings)
+    rules = [backlash_rule(mechanism, spring) for spring in mechanism.springs if spring.backlash is not None]
+    rules += [lock_rule(mechanism, name) for name in sorted(set(settings.locked))]
+    mechanism = mechanism.with_closed_backlash()
+    if settings.locked:
+        mechanism, full = mechanism.with_locked_frictions(set(settings.locked)), None
     full = full or assemble(mechanism)
-    before = modes(full)
-    rules: list[AppliedRule] = []
+    _check_rotors(full, settings)
+    idle = idle_parts(mechanism, settings.keep)
+    rules += [idle_rule(mechanism, part) for part in idle]
+    driven = without_parts(mechanism, idle)
+    compared = assemble(driven) if idle else full
+    before = modes(compared)
 
-    losses = {f.name for f in mechanism.frictions if f.role is FrictionRole.LOSS}
+    losses = {f.name for f in driven.frictions if f.role is FrictionRole.LOSS}
     rules += [loss_rule(mechanism, name) for name in sorted(losses)]
-    reduced = mechanism.without_frictions(losses)
+    reduced = driven.without_frictions(losses)
     rules += drive_rules(mechanism, before)
 
-    participation = Participation(full, before, _machine_twists(full))
+    participation = Participation(compared, before, _machine_twists(compared))
     removable = _removable(reduced, participation, settings)
     stay = {body.velocity for body in reduced.bodies} - removable - set(reduced.machine_velocities)
-    rigid = set(settings.rigid)
+    rigid = set(settings.rigid) & {spring.name for spring in reduced.springs}
     if stay:
         rigid |= {
             spring.name
@@ -149,6 +170,7 @@ def reduce_mechanism(mechanism: Mechanism, settings: ReductionSettings, full: Mo
         model=model,
         mechanism=undamped,
         original=mechanism,
+        full=full,
         rules=tuple(rules),
         modes_before=before,
         modes_after=after,
@@ -178,8 +200,26 @@ def _check_settings(mechanism: Mechanism, settings: ReductionSettings) -> None:
             if name not in known:
                 what = f'"{name}" has nothing to which this applies'
                 problems.append(Problem(f"reduction.{key}", what, nearest(name, known)))
+    frictions = [friction.name for friction in mechanism.frictions]
+    for name in settings.locked:
+        if name not in frictions:
+            what = f'"{name}" is no friction element of this bed'
+            remedy = nearest(name, frictions) if frictions else "remove it: the bed has none"
+            problems.append(Problem("reduction.locked", what, remedy))
     if problems:
         raise ModelError(problems)
+
+
+def _check_rotors(full: Model, settings: ReductionSettings) -> None:
+    """Raise if a locked element holds a machine, such as a brake on its shaft."""
+    held = [
+        torque.name
+        for torque in full.inputs
+        if all(entry == 0 for velocity in torque.row for entry in full.velocity_rows[velocity])
+    ]
+    if held:
+        what = f"{', '.join(held)} cannot turn with {', '.join(dict.fromkeys(settings.locked))} locked"
+        raise ModelError(Problem("reduction.locked", what, "remove the element that holds it from the list"))
 
 
 def _viscous_free(mechanism: Mechanism) -> Mechanism:

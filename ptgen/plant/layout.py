@@ -4,9 +4,15 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from ptgen.elements import Friction
 from ptgen.mechanism.model import Model
 
-__all__ = ["Layout", "signal_name"]
+__all__ = ["Layout", "identifier", "signal_name"]
+
+
+def identifier(friction: Friction) -> str:
+    """Return the name of a friction element as a C identifier."""
+    return friction.name.replace(".", "_")
 
 
 def signal_name(place: str) -> str:
@@ -23,6 +29,7 @@ class Layout:
     lagging: tuple[int, ...]
     n_u: int
     n_f: int
+    n_c: int
 
     @classmethod
     def of(cls, model: Model) -> Layout:
@@ -33,12 +40,18 @@ class Layout:
             lagging=tuple(i for i, torque in enumerate(model.inputs) if torque.drive.time_constant is not None),
             n_u=len(model.inputs),
             n_f=len(model.frictions),
+            n_c=len(model.contacts),
         )
 
     @property
     def n(self) -> int:
         """Number of true states."""
         return self.n_z + self.n_e + len(self.lagging)
+
+    @property
+    def n_t(self) -> int:
+        """Number of torques that a step solves for: those of friction elements, then those of contacts."""
+        return self.n_f + self.n_c
 
     def air_gap(self, machine: int) -> int:
         """Return where the air-gap torque of a machine stands in ``x``."""

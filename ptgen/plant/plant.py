@@ -3,28 +3,29 @@ r"""The plant as a block: exact discretisation of the linear part, exact frictio
 For held inputs and friction torques the linear part is discretised exactly,
 :math:`x^+ = \Phi x + \Gamma_u u + \Gamma_f T`, once, by one matrix exponential. A dead time of
 :math:`(d + f) h` lets the command of :math:`d + 1` steps ago act for the first :math:`f h` of a step, and that of
-:math:`d` steps ago for the rest; this too is exact. The friction torques solve the problem of
-`ptgen.friction.box` with :math:`K = -G\,\Gamma_f`. Capacities that depend on a load are evaluated at mid-step,
-with the mean of the load at the start and the one predicted for the end with the last friction torques; that
-keeps order 2.
+:math:`d` steps ago for the rest; this too is exact. The friction torques of a step follow from
+:math:`K = -G\,\Gamma_f` by `ptgen.friction.step`, those of shafts with backlash by `ptgen.friction.backlash`; their
+capacities are those of `ptgen.plant.capacities`, at mid-step, which keeps order 2.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 import numpy as np
 import sympy as sp
 
-from ptgen.block.block import Assign, Block, Call, Signal, Statement, element
+from ptgen.block.block import Alarm, Assign, Block, Call, Signal, Statement, element, parse_element
 from ptgen.block.numpy_evaluator import NumpyBlock
 from ptgen.elements import Parameter
 from ptgen.errors import ModelError, Problem
-from ptgen.friction.box import MAX_ELEMENTS
-from ptgen.mechanism.model import LinearForm, Model, evaluate_matrix
+from ptgen.friction.step import UNSOLVED
+from ptgen.mechanism.dependence import is_dependent
+from ptgen.mechanism.model import Model, evaluate_matrix
 from ptgen.mechanism.modes import Mode, modes
-from ptgen.plant.layout import Layout, signal_name
+from ptgen.plant.capacities import Capacities
+from ptgen.plant.layout import Layout, identifier
 from ptgen.plant.preparation import Preparation
 from ptgen.plant.signals import PlantSignals
 
@@ -50,8 +51,7 @@ def plant_block(model: Model, sample_time: float) -> Block:
     Raises
     ------
     ModelError
-        If the bed has more friction elements than there are closed forms, or elements that hold one motion, or a
-        mode that is too fast for the step.
+        If the bed has a dead time or a mode that the step cannot represent.
     """
     _check_dead_times(model, sample_time)
     block = _Plant(model, sample_time).block()
@@ -110,24 +110,11 @@ class _Plant:
         self.sample_time = sample_time
         self.layout = Layout.of(model)
         self.signals = PlantSignals(model, self.layout)
-        self._check_frictions()
-
-    def _check_frictions(self) -> None:
-        names = [friction.name for friction in self.model.frictions]
-        if len(names) > MAX_ELEMENTS:
-            listed = ", ".join(names)
-            what = f"has {len(names)} friction elements ({listed}), more than the {MAX_ELEMENTS} that can be solved"
-            raise ModelError(Problem("components", what, "leave some of them out"))
-        rows = self.model.friction_rows
-        for i, name in enumerate(names):
-            unit = [sp.Integer(int(i == j)) for j in range(self.layout.n_z)]
-            if list(rows[i, :]) != unit:
-                what = f'the friction element "{name}" holds the same motion as another one'
-                raise ModelError(Problem(name, what, "leave one of them out, or give the part between them an inertia"))
+        self.capacities = Capacities(model, self.layout, self.signals)
 
     def block(self) -> Block:
         layout = self.layout
-        n, n_u, n_f, width = layout.n, layout.n_u, layout.n_f, layout.n + 2 * layout.n_u
+        n, n_u, n_t, width = layout.n, layout.n_u, layout.n_t, layout.n + 2 * layout.n_u
         prepare, step, measure = (
             Preparation(self.model, self.layout, self.signals, self.sample_time).statements(),
             self._step(),
@@ -138,39 +125,30 @@ class _Plant:
             _parameter_signal(parameter) for parameter in self.model.parameters if parameter.symbol.name in used
         ]
         parameters = [self._bounded(signal) for signal in parameters]
+        if layout.n_f:
+            text = "friction velocities below this are none"
+            parameters.append(Signal("standstill_speed", "rad/s", text, value=STANDSTILL, least=0.0))
         sample = Signal("sample_time", "s", "step of the plant", value=self.sample_time, least=0.0, least_allowed=False)
-        friction_parameters = (
-            (
-                Signal(
-                    "standstill_speed", "rad/s", "friction velocities below this are none", value=STANDSTILL, least=0.0
-                ),
-            )
-            if n_f
-            else ()
-        )
-        force_columns = layout.n_z + layout.n_e + n_u + n_f
+        force_columns = layout.n_z + layout.n_e + n_u + n_t
+        columns = n + n_u + n_t
         derived = [
             Signal("transition", "", "x at the end of the step without friction torques", (n, width)),
             *(Signal(f"{m}_dead_steps", "", "whole steps of dead time") for m in self._names()),
         ]
+        kinds = "velocity, twist, input, friction and contact"
         arrays = [
             Signal("mass", "kg m^2", "inertia matrix of the coordinates", (layout.n_z, layout.n_z)),
-            Signal(
-                "forces",
-                "",
-                "torques on the coordinates per velocity, twist, input, friction",
-                (layout.n_z, force_columns),
-            ),
-            Signal("A", "", "state matrix, input columns, friction columns", (n, n + n_u + n_f)),
-            Signal("scale", "", "balance of the exponential", (n + n_u + n_f,)),
-            Signal("whole", "", "solution over the whole step", (n, n + n_u + n_f)),
-            Signal("late", "", "solution over the late part of the step", (n, n + n_u + n_f)),
-            Signal("early", "", "difference of both", (n, n + n_u + n_f)),
-            Signal("rates", "", "accelerations per velocity, twist, input, friction", (layout.n_z, force_columns)),
+            Signal("forces", "", f"torques on the coordinates per {kinds}", (layout.n_z, force_columns)),
+            Signal("A", "", "state matrix, input columns, friction and contact columns", (n, columns)),
+            Signal("scale", "", "balance of the exponential", (columns,)),
+            Signal("whole", "", "solution over the whole step", (n, columns)),
+            Signal("late", "", "solution over the late part of the step", (n, columns)),
+            Signal("early", "", "difference of both", (n, columns)),
+            Signal("rates", "", f"accelerations per {kinds}", (layout.n_z, force_columns)),
             Signal("x_free", "", "states at the end of the step without friction torques", (n,)),
         ]
         derived += [
-            Signal(f"{name}_reaction", "", f"{name} per velocity, twist, input, friction", (force_columns,))
+            Signal(f"{name}_reaction", "", f"{name} per {kinds}", (force_columns,))
             for name in self.signals.accelerated()
         ]
         states = [
@@ -182,26 +160,21 @@ class _Plant:
                 entries=self._entries(),
             ),
             *(Signal(f"{m}_delay", "N m", f"commands to {m} of past steps", (DELAY_CAPACITY,)) for m in self._names()),
+            *self.capacities.states(),
         ]
-        if n_f:
-            derived += [
-                Signal("gamma_f", "", "x at the end of the step per friction torque", (n, n_f)),
-                Signal("K", "rad/(N m s)", "friction velocities lost per friction torque", (n_f, n_f)),
-            ]
-            arrays += [
-                Signal(
-                    "w_free", "rad/s", "friction velocities at the end of the step without friction torques", (n_f,)
-                ),
-                Signal("w_plus", "rad/s", "friction velocities at the end of the step", (n_f,)),
-                Signal("capacity", "N m", "friction capacities at mid-step", (n_f,)),
-            ]
-            names = tuple(f.name for f in self.model.frictions)
-            states.append(Signal("friction_torque", "N m", "friction torques of the last step", (n_f,), entries=names))
+        if n_t:
+            derived.append(Signal("gamma", "", "x at the end of the step per friction and contact torque", (n, n_t)))
+            arrays.append(Signal("mean_torque", "N m", "mean friction and contact torques of the step", (n_t,)))
+        if layout.n_f:
+            self._declare_frictions(states, derived, arrays)
+        if layout.n_c:
+            self._declare_contacts(states, derived, arrays)
+        torques = (Signal(f"{m}_torque_ref", "N m", f"air-gap torque reference of {m}") for m in self._names())
         return Block(
             name="plant",
             description=f"plant of the bed {self.model.name}",
-            parameters=(*parameters, *friction_parameters, sample),
-            inputs=tuple(Signal(f"{m}_torque_ref", "N m", f"air-gap torque reference of {m}") for m in self._names()),
+            parameters=(*parameters, sample),
+            inputs=(*torques, *self.capacities.inputs()),
             outputs=self.signals.outputs(),
             states=tuple(states),
             derived=tuple(derived),
@@ -209,6 +182,57 @@ class _Plant:
             prepare=prepare,
             step=step,
             measure=measure,
+            alarms=self._alarms(),
+        )
+
+    def _declare_frictions(self, states: list[Signal], derived: list[Signal], arrays: list[Signal]) -> None:
+        n_f = (self.layout.n_f,)
+        names = tuple(f.name for f in self.model.frictions)
+        states.append(Signal("friction_torque", "N m", "friction torques at the end of the step", n_f, entries=names))
+        states.append(Signal("friction_rest", "N m", "capacities at rest in the last step", n_f, entries=names))
+        states.append(Signal("friction_status", "", "0, or what was wrong with the friction of the last step"))
+        derived.append(Signal("K", "rad/(N m s)", "friction velocities lost per mean friction torque", n_f * 2))
+        arrays += [
+            Signal("w_start", "rad/s", "friction velocities at the start of the step", n_f),
+            Signal("w_free", "rad/s", "friction velocities at the end of the step without friction torques", n_f),
+            Signal("w_plus", "rad/s", "friction velocities at the end of the step", n_f),
+            Signal("slide", "N m", "capacities in motion", n_f),
+            Signal("rest", "N m", "capacities at rest", n_f),
+            Signal("friction_mean", "N m", "mean friction torques of the step", n_f),
+        ]
+
+    def _declare_contacts(self, states: list[Signal], derived: list[Signal], arrays: list[Signal]) -> None:
+        n_c = (self.layout.n_c,)
+        names = tuple(contact.name for contact in self.model.contacts)
+        text = "torques of shafts with backlash at the end of the step"
+        states.append(Signal("contact_torque", "N m", text, n_c, entries=names))
+        derived += [
+            Signal("kappa", "rad/(N m)", "twist lost over the step per torque", n_c * 2),
+            Signal("half_gap", "rad", "half of the gaps", n_c),
+            Signal("contact_stiffness", "N m/rad", "stiffness beyond the gaps", n_c),
+            Signal("contact_damping", "N m/rad", "damping over the step", n_c),
+        ]
+        arrays += [
+            Signal("twist_start", "rad", "twists of shafts with backlash at the start of the step", n_c),
+            Signal("twist_free", "rad", "the same at its end, without their torques", n_c),
+            Signal("contact_mean", "N m", "their mean torques", n_c),
+        ]
+
+    def _alarms(self) -> tuple[Alarm, ...]:
+        if not self.layout.n_f:
+            return ()
+        unsolved = Alarm("friction_status", int(UNSOLVED), "friction_unsolved", "the friction torques are not exact")
+        return (
+            unsolved,
+            *(
+                Alarm(
+                    "friction_status",
+                    i + 1,
+                    f"bad_capacity_{identifier(friction)}",
+                    f"the capacity of {friction.name} is no number from 0 up; it was taken as 0",
+                )
+                for i, friction in enumerate(self.model.frictions)
+            ),
         )
 
     def _names(self) -> list[str]:
@@ -248,49 +272,110 @@ class _Plant:
                     "dead time of the torque loop",
                 ),
             ]
-        loads = self._loads()
-        for name, form in loads.items():
-            statements.append(Assign(f"{name}_start", self.signals.over(name, form, lambda k: element("x", k))))
+        statements += self.capacities.at_start()
         statements.append(Call("multiply", ("x_free",), ("transition", "x"), "x+ = Phi x + Gamma_u u"))
-        if layout.n_f == 0:
+        if layout.n_t == 0:
             return (*statements, *(Assign(str(element("x", k)), element("x_free", k)) for k in range(layout.n)))
-        for name, form in loads.items():
-            statements.append(Assign(f"{name}_end", self.signals.over(name, form, self._predicted), "predicted"))
-        for i, friction in enumerate(model.frictions):
-            capacity = friction.coulomb
-            if friction.load is not None:
-                load = signal_name(friction.load.place)
-                mean = (sp.Symbol(f"{load}_start", real=True) + sp.Symbol(f"{load}_end", real=True)) / 2
-                capacity = capacity + friction.load.coefficient * sp.Abs(mean)
-            statements.append(Assign(str(element("capacity", i)), capacity, "(3.34), (3.35) at mid-step"))
-            statements.append(Assign(str(element("w_free", i)), element("x_free", i)))
-        statements += [
-            Call("solve_box", ("friction_torque", "w_plus"), ("K", "w_free", "capacity"), "|T| <= m, w+ = w - K T"),
-            Call("add_product", ("x",), ("x", "x_free", "gamma_f", "friction_torque"), "x+ = x_free + Gamma_f T"),
-            *(self._settled(i) for i in range(layout.n_f)),
-        ]
+        statements += self._contact_torques()
+        statements += self._friction_torques()
+        statements.append(
+            Call("add_product", ("x",), ("x", "x_free", "gamma", "mean_torque"), "x+ = x_free + Gamma_f T")
+        )
+        statements += [statement for i in range(layout.n_f) for statement in self._settled(i)]
+        statements += self.capacities.turned()
+        statements += self._contacts_at_end()
         return tuple(statements)
 
-    def _settled(self, i: int) -> Assign:
-        """Return the statement that takes over a friction velocity.
+    def _friction_torques(self) -> list[Statement]:
+        layout, model = self.layout, self.model
+        if not layout.n_f:
+            return []
+        statements: list[Statement] = []
+        for i in range(layout.n_f):
+            statements.append(Assign(str(element("w_start", i)), self.signals.friction_speed(i), "w = G z"))
+        statements += self.capacities.at_mid_step(self._predicted)
+        for i in range(layout.n_f):
+            free = self._over(model.friction_rows[i, :], 0, self._with_contacts)
+            statements.append(Assign(str(element("w_free", i)), free, "w_free = G z_free"))
+        inputs = ("K", "w_start", "w_free", "slide", "rest", "friction_torque", "friction_rest")
+        outputs = ("friction_mean", "friction_torque", "friction_rest", "w_plus", "friction_status")
+        one_way = sum(1 << i for i, friction in enumerate(model.frictions) if friction.one_way)
+        numbers = (int(is_dependent(model)), one_way)
+        statements.append(Call("friction_step", outputs, inputs, "what sticks, slips and passes zero", numbers))
+        statements += [Assign(str(element("mean_torque", i)), element("friction_mean", i)) for i in range(layout.n_f)]
+        return statements
+
+    def _contact_torques(self) -> list[Statement]:
+        """Return the torques of shafts with backlash, with the friction torques of the last step."""
+        layout, model = self.layout, self.model
+        if not layout.n_c:
+            return []
+        statements: list[Statement] = []
+        for i in range(layout.n_c):
+            row = model.contact_twists[i, :]
+            start = self._over(row, layout.n_z, lambda k: element("x", k))
+            statements.append(Assign(str(element("twist_start", i)), start, "e = L x_e"))
+            statements.append(Assign(str(element("twist_free", i)), self._over(row, layout.n_z, self._with_frictions)))
+        inputs = ("kappa", "twist_start", "twist_free", "half_gap", "contact_stiffness", "contact_damping")
+        statements.append(Call("backlash_step", ("contact_mean",), inputs, "(3.5) as a mean over the step"))
+        for i in range(layout.n_c):
+            statements.append(Assign(str(element("mean_torque", layout.n_f + i)), element("contact_mean", i)))
+        return statements
+
+    def _contacts_at_end(self) -> list[Statement]:
+        layout, model = self.layout, self.model
+        statements: list[Statement] = []
+        for i, contact in enumerate(model.contacts):
+            name = f"{contact.name.replace('.', '_')}_twist"
+            twist, b = sp.Symbol(name, real=True), element("half_gap", i)
+            rate = self._over(model.contact_rows[i, :], 0, lambda k: element("x", k))
+            beyond = twist - sp.Max(-b, sp.Min(b, twist))
+            damping = sp.Piecewise((contact.damping * rate, sp.Abs(twist) > b), (sp.Integer(0), True))
+            statements.append(
+                Assign(name, self._over(model.contact_twists[i, :], layout.n_z, lambda k: element("x", k)))
+            )
+            statements.append(Assign(str(element("contact_torque", i)), contact.stiffness * beyond + damping, "(3.5)"))
+        return statements
+
+    def _over(self, row: sp.Matrix, first: int, x: Callable[[int], sp.Expr]) -> sp.Expr:
+        """Return a row over the states from `first` on; `x` gives them."""
+        return sum((row[k] * x(first + k) for k in range(row.shape[1]) if row[k] != 0), sp.Integer(0))
+
+    def _state_of(self, i: int) -> int | None:
+        """Return the state that a friction velocity is, or None if it is a combination of states."""
+        speed = self.signals.friction_speed(i)
+        return parse_element(speed.name)[1][0] if speed.is_Symbol else None
+
+    def _settled(self, i: int) -> list[Statement]:
+        """Return the statement that takes over a friction velocity, if it is a state.
 
         A velocity that dies away while its torque is at the limit would end in the rounding of zero and go back and
         forth between sticking and slipping for ever.
         """
+        state = self._state_of(i)
+        if state is None:
+            return []
         velocity = element("w_plus", i)
         stands = sp.Abs(velocity) < sp.Symbol("standstill_speed", real=True)
-        source = "exactly zero while it sticks"
-        return Assign(str(element("x", i)), sp.Piecewise((sp.Integer(0), stands), (velocity, True)), source)
+        value = sp.Piecewise((sp.Integer(0), stands), (velocity, True))
+        return [Assign(str(element("x", state)), value, "exactly zero while it sticks")]
+
+    def _with_frictions(self, k: int) -> sp.Expr:
+        """Return a state at the end of the step with the last friction torques, but without contact torques."""
+        shares = (element("gamma", k, j) * element("friction_torque", j) for j in range(self.layout.n_f))
+        return element("x_free", k) + sum(shares, sp.Integer(0))
+
+    def _with_contacts(self, k: int) -> sp.Expr:
+        """Return a state at the end of the step with contact torques, but without friction torques."""
+        n_f = self.layout.n_f
+        shares = (element("gamma", k, n_f + j) * element("contact_mean", j) for j in range(self.layout.n_c))
+        return element("x_free", k) + sum(shares, sp.Integer(0))
 
     def _predicted(self, k: int) -> sp.Expr:
+        """Return a state at the end of the step with the last friction torques and with contact torques."""
         if k >= self.layout.n:
             return element("x", k)
-        change = sum(element("gamma_f", k, j) * element("friction_torque", j) for j in range(self.layout.n_f))
-        return element("x_free", k) + change
-
-    def _loads(self) -> dict[str, LinearForm]:
-        places = dict.fromkeys(f.load.place for f in self.model.frictions if f.load is not None)
-        return {signal_name(place): self.model.signals[place] for place in places}
+        return self._with_frictions(k) + self._with_contacts(k) - element("x_free", k)
 
 
 def _symbols(statement: Statement) -> Sequence[sp.Symbol]:

@@ -8,6 +8,7 @@ import numpy as np
 import sympy as sp
 
 from ptgen.block.block import Assign, Call, Statement, element
+from ptgen.mechanism.dependence import is_dependent
 from ptgen.mechanism.model import Model
 from ptgen.plant.layout import Layout
 from ptgen.plant.signals import PlantSignals
@@ -39,7 +40,7 @@ class Preparation:
     def statements(self) -> tuple[Statement, ...]:
         """Return the statements in order."""
         layout, model = self.layout, self.model
-        n, n_z, n_e, n_u, n_f = layout.n, layout.n_z, layout.n_e, layout.n_u, layout.n_f
+        n, n_z, n_e, n_u, n_t = layout.n, layout.n_z, layout.n_e, layout.n_u, layout.n_t
         h = sp.Symbol("sample_time", positive=True)
         statements: list[Statement] = list(_assign_matrix("mass", model.mass, "M = S' I S"))
         forces = model.forces()
@@ -55,10 +56,10 @@ class Preparation:
                 rate = 1 / torque.drive.time_constant
                 statements.append(Assign(str(element("A", column, column)), -rate, "lag of the torque loop"))
                 statements.append(Assign(str(element("A", column, n + i)), rate))
-        if n_f:
-            numbers = (0, n + n_u, n_z + n_e + n_u, n_f)
+        if n_t:
+            numbers = (0, n + n_u, n_z + n_e + n_u, n_t)
             statements.append(Call("insert", ("A",), ("A", "rates"), numbers=numbers))
-        for i in range(n + n_u + n_f):
+        for i in range(n + n_u + n_t):
             is_twist = n_z <= i < n_z + n_e
             statements.append(Assign(str(element("scale", i)), h if is_twist else sp.Integer(1)))
         squarings = self._squarings()
@@ -68,19 +69,37 @@ class Preparation:
         statements.append(Call("insert", ("transition",), ("transition", "whole"), numbers=(0, 0, 0, n)))
         for i, torque in enumerate(model.inputs):
             statements += self._input_columns(i, torque.name, torque.drive.dead_time, h, squarings)
-        if n_f:
-            statements.append(Call("insert", ("gamma_f",), ("gamma_f", "whole"), numbers=(0, 0, n + n_u, n_f)))
-            statements += [
-                Assign(str(element("K", i, j)), -element("whole", i, n + n_u + j), "K = -G Gamma_f")
-                for i in range(n_f)
-                for j in range(n_f)
-            ]
-            statements.append(Call("require_definite", (), ("K",), "friction torques are unique"))
+        if n_t:
+            statements.append(Call("insert", ("gamma",), ("gamma", "whole"), numbers=(0, 0, n + n_u, n_t)))
+        if layout.n_f:
+            statements += self._lost("K", model.friction_rows, 0, n + n_u, "K = -G Gamma_f")
+            statements.append(
+                Call("require_definite", (), ("K",), "friction can be solved", (int(is_dependent(model)),))
+            )
+        if layout.n_c:
+            first = n + n_u + layout.n_f
+            statements += self._lost("kappa", model.contact_twists, n_z, first, "twist lost per torque of a contact")
+            for i, contact in enumerate(model.contacts):
+                statements += [
+                    Assign(str(element("half_gap", i)), sp.sympify(contact.backlash) / 2, "(3.5)"),
+                    Assign(str(element("contact_stiffness", i)), contact.stiffness),
+                    Assign(str(element("contact_damping", i)), contact.damping / h),
+                ]
         for name, form in self.signals.accelerated().items():
-            for j in range(n_z + n_e + n_u + n_f):
+            for j in range(n_z + n_e + n_u + n_t):
                 total = sum((form.a[k] * element("rates", k, j) for k in range(n_z) if form.a[k] != 0), sp.Integer(0))
                 statements.append(Assign(str(element(f"{name}_reaction", j)), total, "d'Alembert"))
         return tuple(statements)
+
+    def _lost(self, name: str, rows: sp.Matrix, first_row: int, first: int, source: str) -> list[Assign]:
+        """Return the matrix of what `rows` over the states from `first_row` on lose per torque; it is symmetric."""
+
+        def entry(i: int, j: int) -> sp.Expr:
+            terms = [-rows[i, k] * element("whole", first_row + k, first + j) for k in range(rows.shape[1])]
+            return sum((term for term in terms if term != 0), sp.Integer(0))
+
+        size = range(rows.shape[0])
+        return [Assign(str(element(name, i, j)), entry(i, j), source) for i in size for j in size]
 
     def _input_columns(
         self, i: int, name: str, dead_time: sp.Expr | None, h: sp.Symbol, squarings: int

@@ -8,7 +8,7 @@ import sympy as sp
 
 from ptgen.block.block import Assign, Signal, Statement, element
 from ptgen.mechanism.model import LinearForm, Model
-from ptgen.plant.layout import Layout, signal_name
+from ptgen.plant.layout import Layout, identifier, signal_name
 
 __all__ = ["PlantSignals"]
 
@@ -41,6 +41,17 @@ class PlantSignals:
         """Return a row over the coordinates as an expression of the state array."""
         return sum((row[k] * element("x", k) for k in range(self.layout.n_z) if row[k] != 0), sp.Integer(0))
 
+    def friction_speed(self, i: int) -> sp.Expr:
+        """Return the velocity of a friction element as an expression of the state array.
+
+        Those that are states are exactly zero at rest; one that is a combination of states may be off by rounding.
+        """
+        speed = self.over_coordinates(self.model.friction_rows[i, :])
+        if speed.is_Symbol:
+            return speed
+        stands = sp.Abs(speed) < sp.Symbol("standstill_speed", real=True)
+        return sp.Piecewise((sp.Integer(0), stands), (speed, True))
+
     def over(self, name: str, form: LinearForm, x: Callable[[int], sp.Expr]) -> sp.Expr:
         """Return a linear form as an expression; `x` gives the entries of the state array."""
         layout = self.layout
@@ -48,6 +59,7 @@ class PlantSignals:
             *(x(k) for k in range(layout.n_z + layout.n_e)),
             *(x(layout.air_gap(i)) for i in range(layout.n_u)),
             *(element("friction_torque", j) for j in range(layout.n_f)),
+            *(element("contact_torque", j) for j in range(layout.n_c)),
         ]
         coefficients = [*form.z, *form.e, *form.u, *form.f]
         reaction = [
@@ -69,9 +81,10 @@ class PlantSignals:
         for i, torque in enumerate(model.inputs):
             statements.append(Assign(f"{torque.name}_torque", element("x", layout.air_gap(i))))
         for i, friction in enumerate(model.frictions):
-            name = friction.name.replace(".", "_")
-            torque_now = element("friction_torque", i) + friction.viscous * element("x", i)
-            statements += [Assign(f"{name}_torque", torque_now), Assign(f"{name}_speed", element("x", i))]
+            name = identifier(friction)
+            speed = sp.Symbol(f"{name}_speed", real=True)
+            torque_now = element("friction_torque", i) + friction.linear_viscous * speed
+            statements += [Assign(speed.name, self.friction_speed(i)), Assign(f"{name}_torque", torque_now)]
         return tuple(statements)
 
     def outputs(self) -> tuple[Signal, ...]:
@@ -83,7 +96,7 @@ class PlantSignals:
         for torque in self.model.inputs:
             outputs.append(Signal(f"{torque.name}_torque", "N m", f"air-gap torque of {torque.name}"))
         for friction in self.model.frictions:
-            name = friction.name.replace(".", "_")
+            name = identifier(friction)
             outputs.append(Signal(f"{name}_torque", "N m", f"torque of the friction element {friction.name}"))
             outputs.append(Signal(f"{name}_speed", "rad/s", f"velocity of the friction element {friction.name}"))
         return tuple(outputs)

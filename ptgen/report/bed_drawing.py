@@ -20,8 +20,22 @@ __all__ = ["bed_figure"]
 _COLUMN, _ROW = 1.32, 1.62
 """Inches between columns and between rows."""
 
-_MAIN = ("inertia", "inertia_drive", "stiffness", "torque_max", "speed_max", "ratio", "coulomb")
+_MAIN = (
+    "inertia",
+    "inertia_drive",
+    "stiffness",
+    "torque_max",
+    "speed_max",
+    "ratio",
+    "coulomb",
+    "capacity",
+    "backlash",
+    "play",
+)
 """The values that are written below a symbol, if the component has them."""
+
+_PREFIXES = {"ratio": "i = ", "backlash": "gap ", "play": "gap "}
+"""What is written before a value that does not explain itself."""
 
 
 def bed_figure(bed: Testbed) -> Figure:
@@ -155,7 +169,7 @@ def _main_values(bed: Testbed, name: str) -> list[str]:
             continue
         mark = "*" if whole or f"components.{name}.{field}" in bed.assumed else ""
         shown = readable(parameter.value, parameter.unit, 4).replace("^2", "²")
-        lines.append(f"{'i = ' if field == 'ratio' else ''}{shown}{mark}")
+        lines.append(f"{_PREFIXES.get(field, '')}{shown}{mark}")
     return lines
 
 

@@ -1,5 +1,8 @@
 """The symbols of components in a drawing: machines as rotors, shafts as springs, gearboxes as trapezoids.
 
+Couplings, brakes and bearings have the symbols of gear schemes: facing plates, a disk between shoes that hang on the
+housing, journals between hatched blocks; a freewheel points to what it drives.
+
 Each symbol is drawn around a place of the grid and ends its stubs at `HALF` to the left and right of it.
 """
 
@@ -106,6 +109,53 @@ def _gearbox(axes: Axes, x: float, y: float, colour: str, text: str, mirrored: b
     _label(axes, x, y, text, size=8.0)
 
 
+def _bar(axes: Axes, x: float, low: float, high: float, width: float = 3.0) -> None:
+    axes.plot([x, x], [low, high], color=INK, lw=width, solid_capstyle="butt", zorder=3)
+
+
+def _clutch(axes: Axes, x: float, y: float, colour: str, text: str, mirrored: bool) -> None:
+    _stubs(axes, x, y, 0.05)
+    for side in (-1, 1):
+        _bar(axes, x + side * 0.05, y - 0.22, y + 0.22)
+    for low in (y + 0.1, y - 0.2):  # the linings
+        _patch(axes, [(x - 0.03, low), (x - 0.03, low + 0.1), (x + 0.03, low + 0.1), (x + 0.03, low)], GREY)
+
+
+def _freewheel(axes: Axes, x: float, y: float, colour: str, text: str, mirrored: bool) -> None:
+    _stubs(axes, x, y, 0.13)
+    tip = -0.13 if mirrored else 0.13
+    _patch(axes, [(x + tip, y), (x - tip, y + 0.19), (x - tip, y - 0.19)], _PALE)
+    _bar(axes, x + tip, y - 0.2, y + 0.2)
+
+
+def _housing(axes: Axes, x: float, y: float, up: int) -> None:
+    """Draw the housing: a line with hatching on the side to which `up` points."""
+    axes.plot([x - 0.15, x + 0.15], [y, y], color=INK, lw=_LINE, zorder=2)
+    for k in range(5):
+        foot = x - 0.13 + 0.065 * k
+        axes.plot([foot, foot + 0.04], [y, y + up * 0.05], color=INK, lw=0.9, zorder=2)
+
+
+def _brake(axes: Axes, x: float, y: float, colour: str, text: str, mirrored: bool) -> None:
+    _stubs(axes, x, y, 0.0)
+    _bar(axes, x, y - 0.17, y + 0.17)
+    for side in (-1, 1):
+        left, right = sorted((x + side * 0.03, x + side * 0.1))
+        _patch(axes, [(left, y + 0.04), (left, y + 0.17), (right, y + 0.17), (right, y + 0.04)], GREY)
+        axes.plot([x + side * 0.065] * 2, [y + 0.17, y + 0.23], color=INK, lw=_LINE, zorder=2)
+    _housing(axes, x, y + 0.23, 1)
+
+
+def _bearing(axes: Axes, x: float, y: float, colour: str, text: str, mirrored: bool) -> None:
+    _stubs(axes, x, y, 0.0)
+    for up in (-1, 1):
+        near, far = y + up * 0.04, y + up * 0.16
+        _patch(axes, [(x - 0.08, near), (x - 0.08, far), (x + 0.08, far), (x + 0.08, near)], _PALE)
+        axes.plot([x - 0.08, x + 0.08], [near, far], color=INK, lw=1.0, zorder=3)
+        axes.plot([x - 0.08, x + 0.08], [far, near], color=INK, lw=1.0, zorder=3)
+        _housing(axes, x, far, up)
+
+
 def _differential(axes: Axes, x: float, y: float, colour: str, text: str, mirrored: bool) -> None:
     _patch(axes, [(x - 0.24, y), (x + 0.24, y + 0.28), (x + 0.24, y - 0.28)], _PALE)
     axes.plot([x + 0.06] * 2, [y - 0.1, y + 0.1], color=INK, lw=_LINE, zorder=3)
@@ -126,6 +176,10 @@ _SYMBOLS: Mapping[str, Callable[[Axes, float, float, str, str, bool], None]] = {
     "torque_flange": _torque_flange,
     "inertia": _inertia,
     "gearbox": _gearbox,
+    "clutch": _clutch,
+    "freewheel": _freewheel,
+    "brake": _brake,
+    "bearing": _bearing,
     "differential": _differential,
     "bevel_differential": _differential,
     "epicyclic_differential": _differential,

@@ -118,7 +118,8 @@ def _values(bed: Testbed, record: Record, path: str) -> list[str]:
             entries = (f"{key} {readable(entry, units.get(field, ''))}" for key, entry in value.items())
             lines.append(f"{field} {', '.join(entries)}{mark}")
         else:
-            shown = ", ".join(map(str, value)) if isinstance(value, tuple) else str(value)
+            words = value if isinstance(value, tuple) else (value,)
+            shown = ", ".join("yes" if word is True else "no" if word is False else str(word) for word in words)
             lines.append(f"{field} {shown}{mark}")
     return lines
 

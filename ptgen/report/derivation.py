@@ -10,12 +10,14 @@ import sympy as sp
 from numpy.typing import NDArray
 
 from ptgen.analysis.closed_loop import Pole, closed_loop_poles
+from ptgen.block.block import Block
 from ptgen.control.decoupling import Decoupling
-from ptgen.elements import SensorKind
+from ptgen.elements import SensorKind, Spring
 from ptgen.mechanism.applied_rules import AppliedRule
 from ptgen.mechanism.model import Model
 from ptgen.mechanism.modes import Mode
 from ptgen.plant.layout import signal_name
+from ptgen.plant.plant import plant_block
 from ptgen.project import Project
 from ptgen.report.formulas import Equation, Kind, Term
 from ptgen.report.motion import Motion, motion
@@ -43,6 +45,8 @@ class Derivation:
     model, reduced : Model
     motion, reduced_motion : Motion
         Equations of motion of both.
+    gaps : tuple of Spring
+        Shafts with backlash; the equations have their gaps closed.
     rules : tuple of AppliedRule
     modes_before, modes_after : tuple of Mode
     definitions : mapping of Symbol to Expr
@@ -58,7 +62,8 @@ class Derivation:
     conventional : mapping of str to float
         Parameters that make the controller the conventional one.
     closed_loop : mapping of str to tuple of Pole
-        Poles of the sampled closed loop, dead time and lag included, for both controllers.
+        Poles of the sampled closed loop, dead time and lag included, for both controllers. Gaps are closed, and
+        elements that the reduced model takes for locked are locked here too; the others are without friction.
     """
 
     title: str
@@ -67,6 +72,7 @@ class Derivation:
     reduced: Model
     motion: Motion
     reduced_motion: Motion
+    gaps: tuple[Spring, ...]
     rules: tuple[AppliedRule, ...]
     modes_before: tuple[Mode, ...]
     modes_after: tuple[Mode, ...]
@@ -86,6 +92,11 @@ class Derivation:
         return self.decoupling.internal_eigenvalues
 
     @property
+    def locked(self) -> tuple[str, ...]:
+        """Friction elements that the reduced model takes for locked."""
+        return tuple(rule.element for rule in self.rules if rule.rule == "lock")
+
+    @property
     def used_definitions(self) -> dict[sp.Symbol, sp.Expr]:
         """Definitions of the equivalent shafts that the reduced model or the law needs, damping left out."""
         return {symbol: made for symbol, made in self.definitions.items() if symbol.name.endswith("_stiffness")}
@@ -96,6 +107,7 @@ def derivation(project: Project) -> Derivation:
     reduced, design = project.reduced, project.design
     decoupling = design.decoupling
     variants = {"decoupling": {}, "conventional": design.controller.conventional}
+    plant = _linear_plant(project)
     return Derivation(
         title=project.testbed.title,
         name=project.testbed.name,
@@ -103,6 +115,7 @@ def derivation(project: Project) -> Derivation:
         reduced=reduced.model,
         motion=motion(project.model, project.mechanism.orientation),
         reduced_motion=motion(reduced.model),
+        gaps=tuple(spring for spring in project.mechanism.springs if spring.backlash is not None),
         rules=reduced.rules,
         modes_before=reduced.modes_before,
         modes_after=reduced.modes_after,
@@ -114,10 +127,17 @@ def derivation(project: Project) -> Derivation:
         estimates=_estimates(decoupling),
         gains=_gains(project),
         conventional=design.controller.conventional,
-        closed_loop={
-            name: closed_loop_poles(project.controller, project.plant, values) for name, values in variants.items()
-        },
+        closed_loop={name: closed_loop_poles(project.controller, plant, values) for name, values in variants.items()},
     )
+
+
+def _linear_plant(project: Project) -> Block:
+    """Return the plant of the state that the controller is made for: gaps closed, and locked what it takes for locked.
+
+    At rest a bed stands inside its gaps, and open clutches part it; poles there would say nothing.
+    """
+    full = project.reduced.full
+    return project.plant if full is project.plant_model else plant_block(full, project.testbed.sample_time)
 
 
 def _virtual(decoupling: Decoupling, row: sp.Matrix) -> list[tuple[sp.Expr, str]]:

@@ -12,6 +12,7 @@ import sympy as sp
 from ptgen.mechanism.modes import Mode
 from ptgen.report.derivation import Derivation
 from ptgen.report.formulas import Equation, latex_expression, latex_name
+from ptgen.report.friction_law import LATEX, friction_law
 from ptgen.report.motion import Motion
 from ptgen.report.quantities import percent
 
@@ -52,7 +53,7 @@ def _lines(found: Derivation) -> Iterator[str]:
     yield rf"\section*{{{escape(found.title)}}}"
     sections: tuple[tuple[str, Iterable[str]], ...] = (
         ("States", _states(found)),
-        ("Equations of motion", _motion(found.motion)),
+        ("Equations of motion", (*_motion(found.motion), *_gaps(found))),
         ("Reduction", _reduction(found)),
         ("Reduced model", _reduced(found)),
         ("Relative degrees", _degrees(found)),
@@ -77,21 +78,28 @@ def _states(found: Derivation) -> Iterator[str]:
 def _motion(equations: Motion) -> Iterator[str]:
     yield from _align((*equations.balances, *equations.shafts, *equations.twists))
     if equations.slips:
-        yield "Friction elements that slip with the velocity $w$:"
+        yield "Friction elements that slip with the velocity $w$, and their limit at rest where it is another one:"
         rows = []
         for slip in equations.slips:
-            friction, name = slip.friction, rf"\mathrm{{{escape(slip.friction.name)}}}"
-            capacity = latex_expression(friction.coulomb)
-            if friction.load is not None and friction.load.coefficient != 0:
-                place = rf"\mathrm{{{escape(friction.load.place)}}}"
-                capacity += rf" + {latex_expression(friction.load.coefficient)}\,\left|T_{{{place}}}\right|"
-            viscous = rf" + {latex_expression(friction.viscous)}\,w_{{{name}}}" if friction.viscous != 0 else ""
-            law = rf"\left({capacity}\right)\operatorname{{sgn}} w_{{{name}}}{viscous}"
-            rows.append(rf"T_{{\mathrm{{fr}},{name}}} &= {law}")
+            name, law = escape(slip.friction.name), friction_law(slip.friction, LATEX)
+            rows.append(rf"{LATEX.torque.format(name=name)} &= {law.slipping}")
+            if not law.same:
+                rows.append(law.at_rest)
             velocity = Equation((), slip.velocity).latex().removeprefix("0 ")
-            rows.append(rf"w_{{{name}}} {velocity}")
+            rows.append(rf"{LATEX.velocity.format(name=name)} {velocity}")
         yield from _rows(rows)
     yield from _abbreviations(equations)
+
+
+def _gaps(found: Derivation) -> Iterator[str]:
+    if found.gaps:
+        yield "Shafts carry no torque inside their gaps, which are closed in the equations above:"
+        rows = []
+        for spring in found.gaps:
+            name = rf"\mathrm{{{escape(spring.name)}}}"
+            half = latex_expression(sp.sympify(spring.backlash) / 2)
+            rows.append(rf"T_{{{name}}} &= 0, \quad \left|\Delta\varphi_{{{name}}}\right| < {half}")
+        yield from _rows(rows)
 
 
 def _abbreviations(equations: Motion) -> Iterator[str]:

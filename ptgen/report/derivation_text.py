@@ -14,6 +14,7 @@ from rich.text import Text
 from ptgen.mechanism.modes import Mode
 from ptgen.report.derivation import Derivation
 from ptgen.report.formulas import Equation, text_expression
+from ptgen.report.friction_law import TEXT, friction_law
 from ptgen.report.motion import Motion
 from ptgen.report.quantities import percent, readable
 
@@ -25,7 +26,7 @@ def derivation_text(found: Derivation) -> Iterator[RenderableType]:
     yield Text(found.title, style="bold")
     for heading, parts in (
         ("States", _states(found)),
-        ("Equations of motion", _motion(found.motion)),
+        ("Equations of motion", (*_motion(found.motion), *_gaps(found))),
         ("Reduction", _reduction(found)),
         ("Reduced model", _reduced(found)),
         ("Relative degrees", _degrees(found)),
@@ -57,17 +58,24 @@ def _motion(equations: Motion) -> Iterator[RenderableType]:
         yield from _lines(equations.shafts)
         yield from _lines(equations.twists)
     if equations.slips:
-        yield Text("Friction, while it slips with the velocity w (while it sticks, any torque up to the same size):")
+        what = "while it sticks, any torque up to the same size, or to the limit that is given"
+        yield Text(f"Friction, while it slips with the velocity w ({what}):")
         for slip in equations.slips:
-            friction = slip.friction
-            load = ""
-            if friction.load is not None and friction.load.coefficient != 0:
-                load = f" + {text_expression(friction.load.coefficient)}·|T({friction.load.place})|"
-            capacity = text_expression(friction.coulomb) + load
-            viscous = f" + {text_expression(friction.viscous)}·w" if friction.viscous != 0 else ""
+            law = friction_law(slip.friction, TEXT)
             velocity = Equation((), slip.velocity).text().removeprefix("0 = ")
-            yield Text(f"  T_fr({friction.name}) = ({capacity})·sign(w){viscous},  w = {velocity}")
+            yield Text(f"  T_fr({slip.friction.name}) = {law.slipping},  w = {velocity}")
+            if not law.same:
+                yield Text(f"      at rest {law.at_rest}")
     yield from _abbreviations(equations)
+
+
+def _gaps(found: Derivation) -> Iterator[RenderableType]:
+    if found.gaps:
+        yield Text("These shafts have a gap, inside of which they carry no torque; in the equations it is closed:")
+        for spring in found.gaps:
+            gap = sp.sympify(spring.backlash)
+            width = readable(float(gap.subs(found.values)), "rad")
+            yield Text(f"  T({spring.name}) = 0 within {text_expression(gap)} = {width}")
 
 
 def _abbreviations(equations: Motion) -> Iterator[RenderableType]:
@@ -87,7 +95,8 @@ def _reduction(found: Derivation) -> Iterator[RenderableType]:
     for rule in found.rules:
         table.add_row(Text(rule.rule), Text(rule.element), Text(rule.why))
     yield table
-    yield Text("modes before -> after (frequency, damping ratio; friction elements free)")
+    locked = f"locked: {', '.join(found.locked)}; others free" if found.locked else "friction elements free"
+    yield Text(f"modes before -> after (frequency, damping ratio; {locked})")
     for number in range(max(len(found.modes_before), len(found.modes_after))):
         before, after = _mode(found.modes_before, number), _mode(found.modes_after, number)
         yield Text(f"  {before:>24} -> {after}".rstrip())

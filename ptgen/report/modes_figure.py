@@ -32,7 +32,7 @@ class Path:
     bodies : tuple of str
         Their velocities.
     elastic : tuple of bool
-        For each body but the first, whether a shaft leads to it; otherwise gears do.
+        For each body but the first, whether a shaft leads to it; otherwise gears or friction do.
     """
 
     bodies: tuple[str, ...]

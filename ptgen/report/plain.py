@@ -12,6 +12,8 @@ from ptgen.mechanism.modes import Mode
 from ptgen.project import Project
 from ptgen.report.derivation import Derivation
 from ptgen.report.formulas import Equation
+from ptgen.report.friction_law import PLAIN, friction_law
+from ptgen.report.motion import Slip
 
 __all__ = ["bed_json", "derivation_json", "modes_json"]
 
@@ -63,6 +65,8 @@ def derivation_json(found: Derivation) -> dict[str, Any]:
             "order": found.model.order,
             "inputs": [torque.name for torque in found.model.inputs],
             "frictions": [friction.name for friction in found.model.frictions],
+            "friction_laws": {slip.friction.name: _friction(slip) for slip in found.motion.slips},
+            "gaps": {spring.name: found.values[sp.sympify(spring.backlash)] for spring in found.gaps},
         },
         "reduced": {
             "states": list(found.reduced.states),
@@ -91,6 +95,19 @@ def derivation_json(found: Derivation) -> dict[str, Any]:
         "conventional": dict(found.conventional),
         "closed_loop": {name: _poles(poles) for name, poles in found.closed_loop.items()},
         "values": {symbol.name: value for symbol, value in found.values.items()},
+    }
+
+
+def _friction(slip: Slip) -> dict[str, Any]:
+    law = friction_law(slip.friction, PLAIN)
+    return {
+        "role": slip.friction.role.value,
+        "velocity": {term.name: sp.sstr(term.coefficient) for term in slip.velocity},
+        "slipping": law.slipping,
+        "at_rest": law.at_rest,
+        "load": slip.friction.load.place if slip.friction.load is not None else None,
+        "actuated": slip.friction.actuated,
+        "one_way": slip.friction.one_way,
     }
 
 

@@ -11,6 +11,7 @@ _SCALES: dict[str, tuple[tuple[float, str], ...]] = {
     "rad/s": ((0.0, "rpm"),),
     "N m": ((10e3, "kN m"), (0.0, "N m")),
     "N m/rad": ((1e3, "kN m/rad"), (0.0, "N m/rad")),
+    "rad": ((0.0, "deg"),),
     "s": ((1.0, "s"), (1e-3, "ms"), (0.0, "us")),
 }
 
@@ -45,7 +46,7 @@ def readable(value: float, unit: str, digits: int = 5) -> str:
     >>> readable(380e3, "N m/rad"), readable(1e-4, "s"), readable(0.0, "s")
     ('380 kN m/rad', '100 us', '0 s')
     """
-    shown = shown_unit(value, unit) if value else {"rad/s": "rpm"}.get(unit, unit)
+    shown = shown_unit(value, unit) if value else {"rad/s": "rpm", "rad": "deg"}.get(unit, unit)
     number = value if shown == unit else from_si(value, unit, shown)
     return f"{number:.{digits}g} {shown}".strip()
 

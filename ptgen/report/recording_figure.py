@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ptgen.elements import FrictionRole, SensorKind
-from ptgen.plant.layout import signal_name
+from ptgen.plant.layout import identifier, signal_name
 from ptgen.project import Project
 from ptgen.report.figures import GREY, LIGHT, PALETTE, REFERENCE, new_figure
 from ptgen.report.quantities import shown_unit
@@ -79,18 +79,24 @@ def panels(recording: Recording, project: Project) -> tuple[Panel, ...]:
     sensors = [sensor for sensor in project.model.sensors if sensor.kind is SensorKind.TORQUE]
     flanges: list[Curve] = []
     slips: list[Curve] = []
+    holds: list[Curve] = []
+    actuations: list[Curve] = []
     for index, sensor in enumerate(sensors):
         flanges += _signal(signals, sensor.name, sensor.of, PALETTE[index % len(PALETTE)])
     # Losses slip with the speed of a machine, which is drawn already.
     frictions = [friction for friction in project.model.frictions if friction.role is not FrictionRole.LOSS]
     for index, friction in enumerate(frictions):
-        name = friction.name.replace(".", "_")
-        slips += _signal(signals, f"{name}_speed", friction.name, PALETTE[index % len(PALETTE)])
+        name, colour = identifier(friction), PALETTE[index % len(PALETTE)]
+        slips += _signal(signals, f"{name}_speed", friction.name, colour)
+        holds += _signal(signals, f"{name}_torque", friction.name, colour)
+        actuations += _signal(signals, f"{name}_actuation", friction.name, colour)
     all_panels = (
         Panel("speeds", "rad/s", tuple(speeds)),
         Panel("controlled torque", "N m", tuple(torques)),
         Panel("measured torques", "N m", tuple(flanges)),
         Panel("air-gap torques, commanded", "N m", tuple(commands)),
+        Panel("actuations", "", tuple(actuations)),
+        Panel("friction torques", "N m", tuple(holds)),
         Panel("friction velocities", "rad/s", tuple(slips)),
     )
     return tuple(panel for panel in all_panels if panel.curves)

@@ -17,8 +17,6 @@ from ptgen.simulate.library import Library
 
 __all__ = ["build"]
 
-_SOURCES = ("support", "controller", "plant", "run")
-
 
 def build(project: Project, directory: Path | None = None, precision: Precision = "double") -> Library:
     """Emit, compile and load the code of a bed.
@@ -45,7 +43,8 @@ def build(project: Project, directory: Path | None = None, precision: Precision 
     # The name tells the content: a library that is loaded already is never replaced.
     library = folder / f"lib{prefix}-{digest[:16]}.so"
     if not library.exists():
-        compile_library([folder / f"{prefix}_{part}.c" for part in _SOURCES], library, compiler)
+        sources = [name for name in files if name.endswith(".c") and "/" not in name and name != f"{prefix}_main.c"]
+        compile_library([folder / name for name in sources], library, compiler)
     return Library(library.resolve(), prefix, project.blocks(), precision)
 
 

@@ -90,8 +90,12 @@ class CompiledBlock:
         """Do one step in place; return status and outputs."""
         given = self.inputs_type(**{signal.name: float(inputs[signal.name]) for signal in self.block.inputs})
         outputs = self.outputs_type()
-        status = self._step(*map(ctypes.byref, (state, params, given, outputs)))
-        return int(status), {signal.name: float(getattr(outputs, signal.name)) for signal in self.block.outputs}
+        status = self.step_struct(state, params, given, outputs)
+        return status, {signal.name: float(getattr(outputs, signal.name)) for signal in self.block.outputs}
+
+    def step_struct(self, state: Any, params: Any, inputs: Any, outputs: Any) -> int:
+        """Do one step with inputs and outputs in structs; return the status."""
+        return int(self._step(*map(ctypes.byref, (state, params, inputs, outputs))))
 
     def measure(self, state: Any, params: Any) -> dict[str, float]:
         """Return the outputs of a state."""

@@ -79,7 +79,11 @@ def _identifiers(name: str, component: Component) -> Iterator[str]:
     yield from (f"{name}_{place}" for place in component.place_names())
     yield from (parameter.symbol.name for parameter in component.parameters(name))
     yield from (sensor.name for sensor in elements.sensors)
-    yield from (friction.name.replace(".", "_") for friction in elements.frictions)
+    for friction in elements.frictions:
+        plain = friction.name.replace(".", "_")
+        yield plain
+        if friction.actuated:
+            yield f"{plain}_actuation"
     yield from (velocity.replace(".", "_") for velocity in elements.internal)
     if elements.springs:
         yield f"{name}_torque_ref"

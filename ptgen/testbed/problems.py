@@ -65,7 +65,10 @@ def dotted(*path: object) -> str:
 
 def shown(value: object) -> str:
     """Return a value of the file in a few words."""
-    text = json.dumps(value, ensure_ascii=False, default=str)
+    try:
+        text = json.dumps(value, ensure_ascii=False, default=str)
+    except RecursionError:  # dotted keys nest tables as deep as their writer likes
+        text = "a table of tables"
     return text if len(text) <= 80 else text[:77] + "..."
 
 

@@ -1,7 +1,8 @@
-"""Profiles: the course of one reference, from points in the scenario or from a measurement file."""
+"""Profiles: the course of a reference or an actuation, from points in the scenario or from a measurement file."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
@@ -14,19 +15,19 @@ from ptgen.errors import Problem
 from ptgen.testbed.problems import dotted, example, shown, validated
 from ptgen.testbed.recording import RecordingError, read_columns
 
-__all__ = ["Points", "Profile", "Recording", "read_profile"]
+__all__ = ["Bounds", "Points", "Profile", "Recording", "read_profile"]
 
 
 @dataclass(frozen=True)
 class Profile:
-    """The course of a reference; before the first point and after the last it is constant.
+    """The course of a reference or an actuation; before the first point and after the last it is constant.
 
     Attributes
     ----------
     time : tuple of float
         Strictly increasing, from 0 or later (s).
     value : tuple of float
-        As many (N m or rad/s).
+        As many (N m, rad/s, or a share).
     shape : {"lines", "steps"}
         Straight lines between the points, or each value holds until the next time.
     """
@@ -34,6 +35,15 @@ class Profile:
     time: tuple[float, ...]
     value: tuple[float, ...]
     shape: Literal["lines", "steps"]
+
+
+@dataclass(frozen=True)
+class Bounds:
+    """The least and the largest value that a profile may have, and what to do about others."""
+
+    least: float
+    most: float
+    remedy: str
 
 
 class Points(Record):
@@ -50,7 +60,7 @@ class Recording(Record):
     file: str
     time: str | None = None
     column: str
-    unit: str
+    unit: str | None = None
     time_unit: str = "s"
     shape: Literal["lines", "steps"] = "lines"
 
@@ -62,19 +72,23 @@ class Recording(Record):
         return value
 
 
-def read_profile(entry: object, unit: str, folder: Path, *where: object) -> tuple[Profile | None, list[Problem]]:
-    """Read one reference.
+def read_profile(
+    entry: object, unit: str, folder: Path, *where: object, bounds: Bounds | None = None
+) -> tuple[Profile | None, list[Problem]]:
+    """Read one profile.
 
     Parameters
     ----------
     entry : object
         What stands in the scenario: a table with ``time`` and ``value``, or with ``file``.
     unit : str
-        SI unit of the values.
+        SI unit of the values; empty for plain numbers.
     folder : Path
         Where measurement files are looked for.
     *where : object
         Where the entry stands.
+    bounds : Bounds, optional
+        What the values are held against.
 
     Returns
     -------
@@ -85,13 +99,15 @@ def read_profile(entry: object, unit: str, folder: Path, *where: object) -> tupl
     """
     if isinstance(entry, dict) and "file" in entry:
         recording, problems = validated(Recording, entry, *where)
-        return _recorded(recording, unit, folder, where) if recording else (None, problems)
+        return _recorded(recording, unit, folder, where, bounds) if recording else (None, problems)
     points, problems = validated(Points, entry, *where)
     if points is None:
         return None, problems
     time, problems = _quantities(points.time, "s", (*where, "time"))
     value, found = _quantities(points.value, unit, (*where, "value"))
     problems += found
+    if not found:
+        problems += [Problem(dotted(*where, "value", index), *problem) for index, problem in _beyond(value, bounds)]
     if not points.time:
         problems.append(Problem(dotted(*where, "time"), "is empty", 'write e.g. time = ["0 s"]'))
     if len(points.time) != len(points.value):
@@ -111,7 +127,7 @@ def _quantities(entries: list[object], unit: str, where: tuple[object, ...]) -> 
         try:
             values.append(units.parse(entry, unit))
         except units.QuantityError as error:
-            remedy = f"write it with its unit, e.g. {example(unit)}"
+            remedy = f"write {'it with its unit' if unit else 'a plain number'}, e.g. {example(unit)}"
             problems.append(Problem(dotted(*where, index), str(error), remedy))
     return values, problems
 
@@ -128,17 +144,36 @@ def _disorder(time: list[float]) -> list[tuple[int, tuple[str, str]]]:
     return []
 
 
+def _beyond(values: Sequence[float], bounds: Bounds | None) -> list[tuple[int, tuple[str, str]]]:
+    """Return the values that lie outside of the bounds."""
+    if bounds is None:
+        return []
+    wanted = f"must be from {bounds.least:g} to {bounds.most:g}"
+    return [
+        (index, (f"{wanted}, got {value:.12g}", bounds.remedy))
+        for index, value in enumerate(values)
+        if not bounds.least <= value <= bounds.most
+    ]
+
+
 def _recorded(
-    recording: Recording, unit: str, folder: Path, where: tuple[object, ...]
+    recording: Recording, unit: str, folder: Path, where: tuple[object, ...], bounds: Bounds | None
 ) -> tuple[Profile | None, list[Problem]]:
     problems: list[Problem] = []
     scales: dict[str, float] = {}
-    for key, text, wanted in (("unit", recording.unit, unit), ("time_unit", recording.time_unit, "s")):
+    if recording.unit is None and unit:
+        what = f"is missing: the unit of the values, such as {units.wanted_units(unit)}"
+        problems.append(Problem(dotted(*where, "unit"), what, f'add unit = "{unit}"'))
+    for key, text, wanted in (("unit", recording.unit or "", unit), ("time_unit", recording.time_unit, "s")):
+        if key == "unit" and recording.unit is None:
+            scales[key] = 1.0
+            continue
         try:
             scales[key] = units.parse(f"1 {text}", wanted)
         except units.QuantityError:
-            what = f"must be a unit such as {units.wanted_units(wanted)}, got {shown(text)}"
-            problems.append(Problem(dotted(*where, key), what, f'write e.g. {key} = "{wanted}"'))
+            wish = f"a unit such as {units.wanted_units(wanted)}" if wanted else '"%", or absent for plain numbers'
+            remedy = f'write e.g. {key} = "{wanted}"' if wanted else f"leave {key} out"
+            problems.append(Problem(dotted(*where, key), f"must be {wish}, got {shown(text)}", remedy))
     if problems:
         return None, problems
     try:
@@ -149,4 +184,8 @@ def _recorded(
     for index, (what, remedy) in _disorder(time):
         place = f"{recording.file}, line {columns.lines[index]}"
         return None, [Problem(dotted(*where, "file"), f"{place}: time {what}", remedy)]
-    return Profile(tuple(time), tuple(scales["unit"] * value for value in columns.value), recording.shape), []
+    values = [scales["unit"] * value for value in columns.value]
+    for index, (what, remedy) in _beyond(values, bounds):
+        place = f"{recording.file}, line {columns.lines[index]}, column {shown(recording.column)}"
+        return None, [Problem(dotted(*where, "file"), f"{place}: {what}", remedy)]
+    return Profile(tuple(time), tuple(values), recording.shape), []

@@ -1,9 +1,9 @@
-"""Scenario files: what the references of a bed do over time."""
+"""Scenario files: what the references and the actuated friction elements of a bed do over time."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
 from os import PathLike
 from pathlib import Path
 from typing import Annotated, Literal
@@ -11,13 +11,19 @@ from typing import Annotated, Literal
 from ptgen.components.component import Quantity, Record, Text
 from ptgen.errors import Problem, TestbedError, nearest
 from ptgen.testbed.problems import dotted, shown, validated
-from ptgen.testbed.profile import Profile, read_profile
+from ptgen.testbed.profile import Bounds, Points, Profile, Recording, read_profile
 from ptgen.testbed.testbed import Testbed
 from ptgen.testbed.text import read_toml
 
 __all__ = ["Scenario", "ScenarioSection", "load_scenario"]
 
 _UNITS = {"torque": "N m", "speed": "rad/s"}
+
+_SHARE = Bounds(0.0, 1.0, "write 0 for open, 1 for the full capacity, or a share in between")
+
+_PROFILE_KEYS = frozenset({*Points.model_fields, *Recording.model_fields})
+
+_ACTUATION = '{ time = ["0 s", "1 s"], value = [0, 1] }'
 
 
 @dataclass(frozen=True)
@@ -38,6 +44,9 @@ class Scenario:
         Interval between two recorded instants (s), a multiple of the sampling time.
     references : mapping of str to Profile
         ``"torque.M1"`` (N m) or ``"speed.M2"`` (rad/s) -> its course; one for each machine of the bed.
+    actuations : mapping of str to Profile
+        Name of an actuated friction element -> its actuation, 0 (open) to 1 (full capacity); a scenario that was read
+        has one for each of them, and one that is not there stays open.
     title, description : str
         What it shows.
     """
@@ -48,6 +57,7 @@ class Scenario:
     duration: float
     record_every: float
     references: Mapping[str, Profile]
+    actuations: Mapping[str, Profile] = field(default_factory=dict)
     title: str = ""
     description: str = ""
 
@@ -78,7 +88,7 @@ def load_scenario(path: str | PathLike[str], testbed: Testbed) -> Scenario:
     """
     document = read_toml(path, "scenario file")
     tables = document.tables
-    known = ("scenario", "references")
+    known = ("scenario", "references", "actuations")
     problems = [
         Problem(dotted(key), "is an unknown section", nearest(key, known)) for key in tables if key not in known
     ]
@@ -91,7 +101,10 @@ def load_scenario(path: str | PathLike[str], testbed: Testbed) -> Scenario:
         problems += found
     if section is not None:
         problems += _grid(section, testbed.sample_time)
-    references, found = _references(tables.get("references", {}), testbed, Path(document.file).parent)
+    folder = Path(document.file).parent
+    references, found = _references(tables.get("references", {}), testbed, folder)
+    problems += found
+    actuations, found = _actuations(tables.get("actuations", {}), testbed, folder)
     problems += found
     if problems or section is None:
         raise TestbedError(problems, document.file)
@@ -102,6 +115,7 @@ def load_scenario(path: str | PathLike[str], testbed: Testbed) -> Scenario:
         duration=section.duration,
         record_every=section.record_every,
         references=references,
+        actuations=actuations,
         title=section.title,
         description=section.description,
     )
@@ -168,3 +182,57 @@ def _unwanted(kind: str, machine: str, testbed: Testbed, wanted: list[str]) -> P
         return Problem(where, what, f"write {other}.{machine}, or change its role in [control] of the bed")
     what = f'{shown(machine)} is no machine of the bed "{testbed.name}"'
     return Problem(where, what, nearest(f"{kind}.{machine}", wanted))
+
+
+def _actuations(table: object, testbed: Testbed, folder: Path) -> tuple[dict[str, Profile], list[Problem]]:
+    """Read ``[actuations]``; an element without an entry stays open."""
+    actuations = {name: Profile((0.0,), (0.0,), "lines") for name in testbed.actuated}
+    elements = {friction.name for friction in testbed.frictions}
+    if not isinstance(table, dict):
+        remedy = f"write [actuations] with clutch1 = {_ACTUATION}"
+        return actuations, [Problem("actuations", f"must be a table, got {shown(table)}", remedy)]
+    problems: list[Problem] = []
+    seen: dict[str, str] = {}
+    for path, entry in _entries(table, elements):
+        name, where = ".".join(path), dotted("actuations", *path)
+        if name not in actuations:
+            problems.append(_no_actuation(name, where, testbed))
+            continue
+        first = seen.setdefault(name, where)
+        if first != where:
+            problems.append(Problem(where, f'"{name}" has an entry already, {first}', "remove one of the two"))
+            continue
+        profile, found = read_profile(entry, "", folder, "actuations", *path, bounds=_SHARE)
+        problems += found
+        if profile is not None:
+            actuations[name] = profile
+    return actuations, problems
+
+
+def _entries(table: Mapping[str, object], elements: set[str]) -> Iterator[tuple[tuple[str, ...], object]]:
+    """Yield each entry and its path: a table stands for an element, or holds those of a component."""
+    for key, entry in table.items():
+        if key not in elements and isinstance(entry, dict) and _holds_elements(key, entry, elements):
+            yield from (((key, inner), below) for inner, below in entry.items())
+        else:
+            yield (key,), entry
+
+
+def _holds_elements(key: str, entry: Mapping[str, object], elements: set[str]) -> bool:
+    if any(name.startswith(f"{key}.") for name in elements):
+        return not _PROFILE_KEYS.intersection(entry) or any(f"{key}.{inner}" in elements for inner in entry)
+    return bool(entry) and all(isinstance(below, dict) for below in entry.values())  # a misspelt component
+
+
+def _no_actuation(name: str, where: str, testbed: Testbed) -> Problem:
+    actuated = testbed.actuated
+    if any(friction.name == name for friction in testbed.frictions):
+        component = name.partition(".")[0]
+        what = f'the friction element "{name}" of the bed "{testbed.name}" is not actuated'
+        remedy = "leave it out: only clutches and brakes are actuated"
+        if hasattr(testbed.components.get(component), "actuated"):
+            remedy = f"write actuated = true in [{dotted('components', component)}] of the bed, or leave it out"
+        return Problem(where, what, remedy)
+    what = f'{shown(name)} is no friction element of the bed "{testbed.name}"'
+    remedy = nearest(name, actuated) if actuated else "leave it out: no friction element of the bed is actuated"
+    return Problem(where, what, remedy)

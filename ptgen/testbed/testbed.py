@@ -9,6 +9,7 @@ from typing import Annotated
 from pydantic import Field, field_validator
 
 from ptgen.components.component import Component, Quantity, Record
+from ptgen.elements import Friction
 
 __all__ = ["Connection", "ReductionSettings", "Roles", "Testbed", "Tuning"]
 
@@ -76,6 +77,8 @@ class ReductionSettings(Record):
     """Components whose inertia and compliance are kept in any case."""
     drop: tuple[str, ...] = ()
     """Components whose inertia is dropped in any case."""
+    locked: tuple[str, ...] = ()
+    """Friction elements that the controller may take for locked, such as "clutch1" or "diff.limited_slip"."""
 
 
 @dataclass(frozen=True)
@@ -147,3 +150,13 @@ class Testbed:
     def machines(self) -> tuple[str, ...]:
         """The names of the machines, in the order of the file."""
         return tuple(name for name, component in self.components.items() if component.is_machine)
+
+    @property
+    def frictions(self) -> tuple[Friction, ...]:
+        """The friction elements of all components, in the order of the file."""
+        return tuple(f for name, component in self.components.items() for f in component.elements(name).frictions)
+
+    @property
+    def actuated(self) -> tuple[str, ...]:
+        """The names of the friction elements that a scenario can actuate, in the order of the file."""
+        return tuple(friction.name for friction in self.frictions if friction.actuated)

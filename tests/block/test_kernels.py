@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
-
 import numpy as np
 import pytest
 import scipy.linalg
@@ -13,32 +11,19 @@ from hypothesis import strategies as st
 from ptgen.block.casadi_evaluator import CASADI_KERNELS
 from ptgen.block.kernels import KERNELS, delay, discretise, guard
 from ptgen.emit.c_block import CBlock
-from ptgen.friction.box import solve_box
+from ptgen.emit.friction_source import friction_context
+from ptgen.emit.templates import render
 from ptgen.project import Project
 
 
 def test_every_kernel_has_all_implementations(projects: dict[str, Project]) -> None:
     assert set(KERNELS) == set(CASADI_KERNELS)
-    import ptgen.emit.templates as templates
-
-    support = (
-        templates._environment()
-        .get_template("support.h.jinja")
-        .render(
-            prefix="x",
-            version="",
-            template="",
-            bed_file="",
-            digest="",
-            precision="double",
-            max_order=1,
-            zero="0.0",
-            one="1.0",
-            taylor_degree=18,
-        )
-    )
+    context = friction_context(elements=2, contacts=1)
+    numbers = {"max_order": 1, "zero": "0.0", "one": "1.0", "taylor_degree": 18, "precision": "double"}
+    names = {"prefix": "x", "bed_file": "", "digest": ""}
+    headers = "".join(render(f"{part}.h.jinja", **names, **numbers, **context) for part in ("support", "friction"))
     for name in KERNELS:
-        assert f"x_{name}(" in support, name
+        assert f"x_{name}(" in headers, name
 
 
 @pytest.mark.parametrize("seed", range(5))
@@ -52,45 +37,6 @@ def test_exponential_against_scipy(seed: int) -> None:
     scale = 10.0 ** rng.uniform(-1, 1, n + m)
     got = discretise(A, scale, np.array(t), 8)
     assert np.allclose(got, expected, rtol=1e-12, atol=1e-12)
-
-
-def sectors(K: np.ndarray, w: np.ndarray, m: np.ndarray) -> np.ndarray:
-    """Enumerate the sectors of the source's Table 4.1: each element slips either way or sticks."""
-    n = len(w)
-    for kinds in itertools.product((0, 1, -1), repeat=n):
-        T = np.array([kind * limit for kind, limit in zip(kinds, m, strict=True)])
-        free = [i for i, kind in enumerate(kinds) if kind == 0]
-        if free:
-            rest = [i for i in range(n) if i not in free]
-            right = w[free] - K[np.ix_(free, rest)] @ T[rest]
-            T[free] = np.linalg.solve(K[np.ix_(free, free)], right)
-        plus = w - K @ T
-        slack = 1e-12 * max(1.0, np.abs(w).max())
-        sticks = all(abs(T[i]) <= m[i] * (1 + 1e-12) + 1e-300 for i in free)
-        if sticks and all(kind * plus[i] >= -slack for i, kind in enumerate(kinds)):
-            return T
-    raise AssertionError("no sector fits")
-
-
-@pytest.mark.parametrize("n", [1, 2])
-def test_box_problem_is_one_of_the_sectors(n: int) -> None:
-    rng = np.random.default_rng(n)
-    for _ in range(5000):
-        root = rng.normal(size=(n, n)) * 10.0 ** rng.uniform(-2, 2, (n, 1))
-        K = root @ root.T + 1e-9 * np.eye(n) * np.trace(root @ root.T)
-        w, m = rng.normal(size=n), np.abs(rng.normal(size=n)) * (rng.random(n) < 0.9)
-        T, plus = solve_box(K, w, m)
-        expected = sectors(K, w, m)
-        assert np.allclose(K @ T, K @ expected, atol=1e-9 * max(1.0, np.abs(w).max()))
-        assert np.all(np.abs(T) <= m)
-        assert np.all(plus[np.abs(T) < m] == 0.0)
-        # friction never feeds energy in: at the end of the step it opposes the motion
-        assert np.all(T * plus >= 0)
-
-
-def test_box_problem_refuses_what_it_has_no_form_for() -> None:
-    with pytest.raises(ValueError, match="up to 2"):
-        solve_box(np.eye(3), np.zeros(3), np.ones(3))
 
 
 @given(st.lists(st.floats(-1e3, 1e3), min_size=20, max_size=40), st.integers(0, 6))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
+
 import sympy as sp
 
 from ptgen.components.catalogue import CATALOGUE
@@ -11,10 +13,19 @@ from ptgen.mechanism.assembly import assemble
 from ptgen.mechanism.mechanism import Mechanism
 from ptgen.mechanism.model import Model
 
+RIPPLE = {"amplitude": 0.1, "order": 2, "phase": "-30 deg"}
+SATURATION = {"slope": "0.5 N m s/rad", "speed": "10 rad/s"}
 FRICTIONS = {
     "loss": {"coulomb": "2 N m", "load": 0.01, "viscous": "0.1 N m s/rad"},
-    "limited_slip": {"coulomb": "20 N m", "load": 0.1, "viscous": "0.2 N m s/rad"},
+    "limited_slip": {
+        "coulomb": "20 N m",
+        "load": 0.1,
+        "viscous": "0.2 N m s/rad",
+        "saturation": SATURATION,
+        "ripple": RIPPLE,
+    },
 }
+STRIBECK = {"static": "360 N m", "stribeck_speed": "20 rpm", "viscous": "0.1 N m s/rad"}
 
 EXAMPLES: dict[str, dict[str, object]] = {
     "machine": {
@@ -33,6 +44,30 @@ EXAMPLES: dict[str, dict[str, object]] = {
         "damping": "0.5 N m s/rad",
     },
     "gearbox": {"ratio": 8.1, "inertia": "1.05 kg m^2"},
+    "clutch": {
+        "inertia_input": "0.02 kg m^2",
+        "inertia_output": "0.03 kg m^2",
+        "capacity": "300 N m",
+        **STRIBECK,
+        "saturation": SATURATION,
+        "ripple": RIPPLE,
+    },
+    "freewheel": {
+        "inertia_input": "0.02 kg m^2",
+        "inertia_output": "0.03 kg m^2",
+        "drag": "0.5 N m",
+        "viscous": "0.01 N m s/rad",
+    },
+    "brake": {"inertia": "0.1 kg m^2", "capacity": "300 N m", **STRIBECK, "ripple": RIPPLE},
+    "bearing": {
+        "inertia": "0.01 kg m^2",
+        "coulomb": "1 N m",
+        "static": "2 N m",
+        "stribeck_speed": "10 rpm",
+        "viscous": "0.01 N m s/rad",
+        "saturation": SATURATION,
+        "ripple": RIPPLE,
+    },
     "differential": {
         "ratio": 2.85,
         "inertia": "0.3 kg m^2",
@@ -64,6 +99,33 @@ EXAMPLES: dict[str, dict[str, object]] = {
     },
 }
 
+MESH = {
+    "inertia_other": "0.4 kg m^2",
+    "mesh_stiffness": "800 kN m/rad",
+    "mesh_damping": "3 N m s/rad",
+}
+
+VARIANTS: dict[str, tuple[str, dict[str, object]]] = {
+    "shaft with backlash": ("shaft", {"backlash": "0.5 deg"}),
+    "gearbox with elastic teeth": ("gearbox", MESH),
+    "gearbox with play": ("gearbox", {**MESH, "play": "0.1 deg", "inertia_side": "output"}),
+    "gearbox with two inertias": ("gearbox", {"inertia_other": "0.4 kg m^2"}),
+    "dry clutch": ("clutch", {"static": None, "stribeck_speed": None, "ripple": None, "saturation": None}),
+    "clutch with a static limit": ("clutch", {"stribeck_speed": None}),
+    "clutch that is always pressed": ("clutch", {"actuated": False}),
+    "brake that is always pressed": ("brake", {"actuated": False}),
+}
+"""Examples with other fields of a type than the one in `EXAMPLES`."""
+
+CASES = (*EXAMPLES, *VARIANTS)
+"""The names of all examples, see `case`."""
+
+
+def case(name: str) -> Component:
+    """Return the example of a type, or a variant of it."""
+    type_name, changes = VARIANTS.get(name, (name, {}))
+    return example(type_name, **changes)
+
 
 def example(type_name: str, **changes: object) -> Component:
     """Return the example of a component type; a change to None removes the field."""
@@ -72,29 +134,28 @@ def example(type_name: str, **changes: object) -> Component:
     return CATALOGUE[type_name].model_validate(given)
 
 
-def loose_model(component: Component, name: str = "x") -> Model:
+def loose_model(component: Component, name: str = "x", locked: Collection[str] = ()) -> Model:
     """Return the model of a component alone; the inputs are torques on its flanges, in their order."""
     elements = component.elements(name)
     flanges = [f"{name}.{flange}" for flange in component.flange_names()]
     zero = sp.Integer(0)
     drive = Drive(torque_max=zero, speed_rated=zero, speed_max=zero)
-    return assemble(
-        Mechanism(
-            name="loose",
-            velocities=(*flanges, *elements.internal),
-            bodies=elements.bodies,
-            constraints=elements.constraints,
-            springs=elements.springs,
-            frictions=elements.frictions,
-            torques=tuple(Torque(flange, {flange: sp.Integer(1)}, drive) for flange in flanges),
-            sensors=(),
-            places=(),
-            parameters=component.parameters(name),
-            connections={},
-            orientation={name: 1},
-            observed=(),
-        )
+    mechanism = Mechanism(
+        name="loose",
+        velocities=(*flanges, *elements.internal),
+        bodies=elements.bodies,
+        constraints=elements.constraints,
+        springs=elements.springs,
+        frictions=elements.frictions,
+        torques=tuple(Torque(flange, {flange: sp.Integer(1)}, drive) for flange in flanges),
+        sensors=(),
+        places=(),
+        parameters=component.parameters(name),
+        connections={},
+        orientation={name: 1},
+        observed=(),
     )
+    return assemble(mechanism.with_locked_frictions(set(locked)))
 
 
 def symbols_of(component: Component, name: str = "x") -> dict[str, sp.Symbol]:

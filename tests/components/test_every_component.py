@@ -7,7 +7,10 @@ from typing import get_args
 
 import pytest
 import sympy as sp
-from loose_component import EXAMPLES, example, loose_model
+from friction_laws import limit_of, torque_of
+from hypothesis import given
+from hypothesis import strategies as st
+from loose_component import CASES, EXAMPLES, case, example, loose_model
 from pydantic import ValidationError
 
 from ptgen import units
@@ -33,11 +36,16 @@ def expressions_of(elements: Elements) -> list[sp.Expr]:
     found = [coefficient for _, row in rows_of(elements) for coefficient in row.values()]
     found += [body.inertia for body in elements.bodies]
     for spring in elements.springs:
-        found += [spring.stiffness, spring.damping]
+        found += [part for part in (spring.stiffness, spring.damping, spring.backlash) if part is not None]
     for friction in elements.frictions:
         found += [friction.coulomb, friction.viscous]
+        found += [part for part in (friction.static, friction.stribeck_speed) if part is not None]
         if friction.load is not None:
             found.append(friction.load.coefficient)
+        if friction.saturated is not None:
+            found += [friction.saturated.slope, friction.saturated.speed]
+        if friction.ripple is not None:
+            found += [friction.ripple.amplitude, friction.ripple.phase]
     for torque in elements.torques:
         drive = torque.drive
         found += [drive.torque_max, drive.speed_rated, drive.speed_max]
@@ -70,9 +78,9 @@ def test_module_reads_like_a_page_of_a_textbook(name: str) -> None:
     assert ".. math::" in text
 
 
-@pytest.mark.parametrize("name", TYPES)
+@pytest.mark.parametrize("name", CASES)
 def test_parameters_have_symbol_unit_and_description(name: str) -> None:
-    parameters = example(name).parameters("part")
+    parameters = case(name).parameters("part")
     assert parameters
     assert len({parameter.symbol.name for parameter in parameters}) == len(parameters)
     for parameter in parameters:
@@ -84,9 +92,9 @@ def test_parameters_have_symbol_unit_and_description(name: str) -> None:
         assert parameter.symbol.is_positive or parameter.symbol.is_nonnegative or parameter.signed
 
 
-@pytest.mark.parametrize("name", TYPES)
+@pytest.mark.parametrize("name", CASES)
 def test_elements_speak_of_own_velocities_only(name: str) -> None:
-    component = example(name)
+    component = case(name)
     elements = component.elements("part")
     own = {f"part.{flange}" for flange in component.flange_names()}
     internal = set(elements.internal)
@@ -105,19 +113,21 @@ def test_elements_speak_of_own_velocities_only(name: str) -> None:
         assert friction.load is None or friction.load.place in own
     spring_names = {spring.name for spring in elements.springs}
     assert all(sensor.of in own | spring_names for sensor in elements.sensors)
+    for element in (*elements.frictions, *elements.springs):
+        assert element.name == "part" or element.name.startswith("part.")
 
 
-@pytest.mark.parametrize("name", TYPES)
+@pytest.mark.parametrize("name", CASES)
 def test_elements_use_declared_parameters_and_all_of_them(name: str) -> None:
-    component = example(name)
+    component = case(name)
     elements = component.elements("part")
     used = set().union(*(sp.sympify(expression).free_symbols for expression in expressions_of(elements)))
     assert used == {parameter.symbol for parameter in component.parameters("part")}
 
 
-@pytest.mark.parametrize("name", TYPES)
+@pytest.mark.parametrize("name", CASES)
 def test_two_of_a_kind_share_nothing(name: str) -> None:
-    component = example(name)
+    component = case(name)
     names = [{owner for owner, _ in rows_of(component.elements(part))} for part in ("a", "b")]
     symbols = [{parameter.symbol for parameter in component.parameters(part)} for part in ("a", "b")]
     assert not names[0] & names[1]
@@ -169,18 +179,25 @@ def test_range_of_every_quantity_is_checked(name: str, field: str, unit: str, po
             example(name, **{field: "3 furlong"})
 
 
-@pytest.mark.parametrize("name", [name for name in TYPES if name not in ("shaft", "torque_flange")])
-def test_rigid_component_alone_has_positive_definite_inertia(name: str) -> None:
-    model = loose_model(example(name))
+def has_own_inertia(name: str) -> bool:
+    return not name.startswith(("shaft", "torque_flange"))
+
+
+@pytest.mark.parametrize("name", list(filter(has_own_inertia, CASES)))
+def test_component_alone_has_positive_definite_inertia(name: str) -> None:
+    model = loose_model(case(name))
     mass = model.mass.subs(model.values)
     assert mass.is_symmetric()
     assert mass.is_positive_definite
 
 
-@pytest.mark.parametrize("name", [name for name in TYPES if "loss" in EXAMPLES[name]])
+RUBBING = [name for name in CASES if case(name).elements("x").frictions]
+
+
+@pytest.mark.parametrize("name", RUBBING)
 def test_friction_takes_exactly_torque_times_slip(name: str) -> None:
     """The kinetic energy, from bodies and velocities, changes by minus the friction power."""
-    component = example(name)
+    component = case(name)
     elements = component.elements("x")
     model = loose_model(component)
     z = sp.Matrix(sp.symbols(f"z0:{len(model.coordinates)}"))
@@ -192,3 +209,25 @@ def test_friction_takes_exactly_torque_times_slip(name: str) -> None:
     slip = [sum(value * velocity[key] for key, value in friction.row.items()) for friction in elements.frictions]
     power = sum(torque * speed for torque, speed in zip(T, slip, strict=True))
     assert sp.cancel(sp.together(energy_rate + power)) == 0
+
+
+@pytest.mark.parametrize("name", RUBBING)
+@given(w=st.floats(-300, 300), angle=st.floats(-10, 10), load=st.floats(-500, 500), actuation=st.floats(0, 1))
+def test_friction_only_takes_power(name: str, w: float, angle: float, load: float, actuation: float) -> None:
+    """And at rest it holds at least what it has when it begins to slip."""
+    component = case(name)
+    values = {parameter.symbol: parameter.value for parameter in component.parameters("x")}
+    for friction in component.elements("x").frictions:
+        if friction.one_way:
+            w = -abs(w)
+        assert torque_of(friction, values, w, angle, load, actuation) * w >= 0
+        beginning = torque_of(friction, values, 1e-9, angle, load, actuation)
+        assert abs(beginning) <= limit_of(friction, values, angle, load, actuation) * (1 + 1e-6) + 1e-6
+
+
+@pytest.mark.parametrize("name", RUBBING)
+def test_locked_friction_leaves_one_motion_less(name: str) -> None:
+    model = loose_model(case(name))
+    for friction in model.frictions:
+        locked = loose_model(case(name), locked={friction.name})
+        assert len(locked.coordinates) == len(model.coordinates) - 1

@@ -117,9 +117,14 @@ def test_plant_refuses_what_is_not_finite_and_keeps_its_state(projects: dict[str
     _, state = plant.init(params)
     plant.step(state, params, {s.name: 50.0 for s in plant.block.inputs})
     before = plant.read(state, "x")
-    status, _ = plant.step(state, params, {s.name: math.nan for s in plant.block.inputs})
-    assert plant.status_text(status) == "an input is not finite"
-    assert np.array_equal(plant.read(state, "x"), before)
+    outputs = plant.measure(state, params)
+    for index, signal in enumerate(plant.block.inputs):
+        for bad in (math.nan, math.inf, -math.inf):
+            status, held = plant.step(state, params, {s.name: bad if s == signal else 1.0 for s in plant.block.inputs})
+            assert status == 1100 + index
+            assert plant.status_text(status) == f"the input {signal.name} is not finite"
+            assert np.array_equal(plant.read(state, "x"), before)
+            assert held == outputs and all(math.isfinite(value) for value in held.values())
 
 
 def test_parameters_far_from_the_emitted_ones_are_refused(projects: dict[str, Project]) -> None:

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import itertools
+import re
 from pathlib import Path
 
 import numpy as np
 import pytest
+from components.loose_component import CASES, case
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -17,7 +19,8 @@ from ptgen.errors import PtgenError
 from ptgen.mechanism.modes import modes
 from ptgen.report.bed_drawing import bed_figure
 from ptgen.report.bed_layout import layout
-from ptgen.report.bed_tree import chains
+from ptgen.report.bed_symbols import _SYMBOLS
+from ptgen.report.bed_tree import chains, component_lines
 from ptgen.report.destinations import check_destination
 from ptgen.report.figures import save_figure
 from ptgen.report.modes_figure import modes_figure, paths
@@ -95,6 +98,30 @@ def test_every_type_of_component_can_be_drawn(kind, tmp_path):
     assert (tmp_path / "bed.svg").stat().st_size > 1000
 
 
+def test_every_type_of_component_has_a_symbol():
+    """What has none becomes a box with its name in it."""
+    assert set(CATALOGUE) == set(_SYMBOLS)
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_values_of_every_example_are_drawn(name):
+    component = case(name)
+    drawn = texts(bed_figure(bed_of({"part": component}, ())))
+    assert "part" in drawn
+    (values,) = [text for text in drawn if any(digit.isdigit() for digit in text)] or [""]
+    for key, word in (("backlash", "gap 0.5 deg"), ("play", "gap 0.1 deg"), ("capacity", "300 N m")):
+        assert (getattr(component, key, None) is not None) == (word in values)
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_tree_shows_every_value_in_the_units_of_people(name):
+    component = case(name)
+    lines = "\n".join(component_lines(bed_of({"part": component}, ()), "part"))
+    assert all(key in lines for key, value in component if value is not None and key != "type")
+    assert " rad" not in re.sub(r"/rad|rad/s", "", lines)
+    assert "True" not in lines and "False" not in lines
+
+
 def test_names_do_not_overlap(project):
     from matplotlib.backends.backend_agg import FigureCanvasAgg
 
@@ -153,7 +180,7 @@ def recording(project):
 
 def test_recordings_are_drawn_in_panels(project, recording, tmp_path):
     drawn = {panel.title: panel for panel in panels(recording, project)}
-    slips = {"friction velocities"} if project.model.frictions else set()
+    slips = {"friction velocities", "friction torques"} if project.model.frictions else set()
     wanted = {"speeds", "controlled torque", "measured torques", "air-gap torques, commanded"}
     assert set(drawn) == wanted | slips
     machines = len(project.testbed.machines)

@@ -35,7 +35,7 @@ def test_small_bed(bench: Bench) -> None:
         ),
         # types
         ('"torque_flange"', '"torque_flang"', "components.flange1.type", "no type", '"torque_flange"'),
-        ('type = "shaft"\n', "", "components.shaft1.type", "is missing", "add type = ...; known are: bevel_diff"),
+        ('type = "shaft"\n', "", "components.shaft1.type", "is missing", "add type = ...; known are: b"),
         ('type = "shaft"', "type = 3", "components.shaft1.type", "no type of component: 3", "known are: "),
         (
             'speed_max = "6000 rpm"',

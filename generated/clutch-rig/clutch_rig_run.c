@@ -1,0 +1,136 @@
+/*
+ * clutch_rig_run.c: controller and plant in closed loop
+ *
+ * Emitted by ptgen 0.1.0 from clutch-rig.toml (SHA-256 8a8f57b91ebde405), template run.c.jinja.
+ * Do not edit: change the test bed file and emit again. This code belongs to whoever emitted it.
+ */
+#include "clutch_rig_run.h"
+
+#include <string.h>
+
+typedef clutch_rig_real real;
+
+const char *const clutch_rig_profile_names[clutch_rig_profile_count] = {
+    "M1_speed_ref",
+    "M2_speed_ref",
+    "clutch1_actuation",
+    "clutch2_actuation",
+};
+
+const char *const clutch_rig_signal_names[clutch_rig_signal_count] = {
+    "M1_speed_ref",
+    "M2_speed_ref",
+    "clutch1_actuation",
+    "clutch2_actuation",
+    "M1_speed",
+    "flange1_torque",
+    "flange2_torque",
+    "M2_speed",
+    "M1_torque",
+    "M2_torque",
+    "clutch1_torque",
+    "clutch1_speed",
+    "clutch2_torque",
+    "clutch2_speed",
+    "M1_torque_ref",
+    "M2_torque_ref",
+    "fault",
+};
+
+size_t clutch_rig_run_size(void) { return sizeof(clutch_rig_run); }
+
+int clutch_rig_run_init(clutch_rig_run *run)
+{
+    run->step = 0;
+    memset(&run->driven, 0, sizeof run->driven);
+    for (int k = 0; k < clutch_rig_profile_count; ++k) {
+        run->cursor[k] = 0;
+    }
+    run->status = (int)clutch_rig_controller_init(&run->controller, &run->controller_params);
+    if (run->status == 0) {
+        run->status = -(int)clutch_rig_plant_init(&run->plant, &run->plant_params);
+    }
+    if (run->status == 0) {
+        clutch_rig_plant_measure(&run->plant, &run->plant_params, &run->measured);
+    }
+    return run->status;
+}
+
+/* Value of a profile; time never goes back, so the search starts where the last one ended. */
+static double value_at(const clutch_rig_profile *profile, long *cursor, double time)
+{
+    long k = *cursor;
+    while (k + 1 < profile->count && profile->time[k + 1] <= time) {
+        ++k;
+    }
+    *cursor = k;
+    if (profile->steps || k + 1 >= profile->count || time <= profile->time[k]) {
+        return profile->value[k];
+    }
+    const double share = (time - profile->time[k]) / (profile->time[k + 1] - profile->time[k]);
+    return profile->value[k] + share * (profile->value[k + 1] - profile->value[k]);
+}
+
+static void record(const clutch_rig_run *run, double *row)
+{
+    row[0] = (double)run->inputs.M1_speed_ref;
+    row[1] = (double)run->inputs.M2_speed_ref;
+    row[2] = (double)run->driven.clutch1_actuation;
+    row[3] = (double)run->driven.clutch2_actuation;
+    row[4] = (double)run->measured.M1_speed;
+    row[5] = (double)run->measured.flange1_torque;
+    row[6] = (double)run->measured.flange2_torque;
+    row[7] = (double)run->measured.M2_speed;
+    row[8] = (double)run->measured.M1_torque;
+    row[9] = (double)run->measured.M2_torque;
+    row[10] = (double)run->measured.clutch1_torque;
+    row[11] = (double)run->measured.clutch1_speed;
+    row[12] = (double)run->measured.clutch2_torque;
+    row[13] = (double)run->measured.clutch2_speed;
+    row[14] = (double)run->commands.M1_torque_ref;
+    row[15] = (double)run->commands.M2_torque_ref;
+    row[16] = (double)run->controller.fault;
+}
+
+long clutch_rig_run_steps(clutch_rig_run *run, const clutch_rig_profile *profiles, long steps, long record_every, double *recording,
+    long rows, long report_every, clutch_rig_report report, void *user)
+{
+    long row = 0;
+    long until_record = run->step % record_every == 0 ? 0 : record_every - run->step % record_every;
+    long until_report = report_every;
+    for (long done = 0; done < steps; ++done) {
+        const double time = (double)run->step * (double)run->plant_params.sample_time;
+        run->inputs.M1_speed_ref = (real)value_at(&profiles[0], &run->cursor[0], time);
+        run->inputs.M2_speed_ref = (real)value_at(&profiles[1], &run->cursor[1], time);
+        const double middle = time + 0.5 * (double)run->plant_params.sample_time;
+        run->driven.clutch1_actuation = (real)value_at(&profiles[2], &run->cursor[2], middle);
+        run->driven.clutch2_actuation = (real)value_at(&profiles[3], &run->cursor[3], middle);
+        run->inputs.M1_speed = run->measured.M1_speed;
+        run->inputs.flange1_torque = run->measured.flange1_torque;
+        run->inputs.flange2_torque = run->measured.flange2_torque;
+        run->inputs.M2_speed = run->measured.M2_speed;
+        const int controller = (int)clutch_rig_controller_step(&run->controller, &run->controller_params, &run->inputs, &run->commands);
+        if (until_record == 0) {
+            if (row < rows) {
+                record(run, recording + row * clutch_rig_signal_count);
+                ++row;
+            }
+            until_record = record_every;
+        }
+        --until_record;
+        run->driven.M1_torque_ref = run->commands.M1_torque_ref;
+        run->driven.M2_torque_ref = run->commands.M2_torque_ref;
+        const int plant = (int)clutch_rig_plant_step(&run->plant, &run->plant_params, &run->driven, &run->measured);
+        if (run->status == 0) {
+            run->status = controller != 0 ? controller : -plant;
+        }
+        ++run->step;
+        if (--until_report == 0) {
+            until_report = report_every;
+            if (report && report(run->step, user)) {
+                return done + 1;
+            }
+        }
+    }
+    return steps;
+}

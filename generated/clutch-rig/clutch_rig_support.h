@@ -1,0 +1,141 @@
+/*
+ * clutch_rig_support.h: arithmetic and small dense algebra
+ *
+ * Emitted by ptgen 0.1.0 from clutch-rig.toml (SHA-256 8a8f57b91ebde405), template support.h.jinja.
+ * Do not edit: change the test bed file and emit again. This code belongs to whoever emitted it.
+ */
+#ifndef CLUTCH_RIG_SUPPORT_H
+#define CLUTCH_RIG_SUPPORT_H
+
+#include <stddef.h>
+
+typedef double clutch_rig_real;
+
+#define CLUTCH_RIG_REAL(x) ((clutch_rig_real)(x))
+
+/* Order up to which clutch_rig_discretise works: states, inputs and friction elements together. */
+#define CLUTCH_RIG_MAX_ORDER 17
+
+static inline clutch_rig_real clutch_rig_min(clutch_rig_real a, clutch_rig_real b) { return a < b ? a : b; }
+static inline clutch_rig_real clutch_rig_max(clutch_rig_real a, clutch_rig_real b) { return a > b ? a : b; }
+static inline clutch_rig_real clutch_rig_abs(clutch_rig_real a) { return a < 0.0 ? -a : a; }
+static inline clutch_rig_real clutch_rig_sign(clutch_rig_real a)
+{
+    return a > 0.0 ? 1.0 : (a < 0.0 ? -1.0 : 0.0);
+}
+/* False for NaN and infinity; needs no library function. */
+static inline int clutch_rig_is_finite(clutch_rig_real a) { return a - a == 0.0; }
+static inline clutch_rig_real clutch_rig_clamp(clutch_rig_real value, clutch_rig_real bound)
+{
+    return clutch_rig_max(-bound, clutch_rig_min(bound, value));
+}
+
+clutch_rig_real clutch_rig_floor(clutch_rig_real a);
+clutch_rig_real clutch_rig_exp(clutch_rig_real a);
+clutch_rig_real clutch_rig_sin(clutch_rig_real a);
+
+/* Number of rows that n rows take in memory. */
+static inline int clutch_rig_padded(int n) { return (n + 3) / 4 * 4; }
+
+/* Sets an array of `bytes` bytes to zero. */
+void clutch_rig_zero(size_t bytes, void *array);
+
+/*
+ * Matrices are stored by columns; the number of rows in memory is rounded up to a multiple of four.
+ * Functions that return an int return 1 on success and 0 on failure.
+ */
+
+/* Solves M X = R for symmetric positive definite M (n, n); M is overwritten by its Cholesky factor. */
+int clutch_rig_cholesky_solve(int n, int columns, clutch_rig_real *M, const clutch_rig_real *R, clutch_rig_real *X);
+
+/* Whether the symmetric matrix K (n, n) is positive definite, or, if asked for, at least semidefinite. */
+int clutch_rig_require_definite(int n, int semidefinite, const clutch_rig_real *K);
+
+/* Copies `count` columns of `source` (rows, .), from column `first` on, to (row, column) of `target`. */
+void clutch_rig_insert(int rows, int target_stride, int source_stride, int row, int column, int first, int count,
+    clutch_rig_real *target, const clutch_rig_real *source);
+
+/* C = A - B, all (rows, columns). */
+void clutch_rig_difference(int rows, int columns, const clutch_rig_real *A, const clutch_rig_real *B, clutch_rig_real *C);
+
+/*
+ * First n rows of exp(A t), A (n, total) over zero rows, balanced by `scale` (total): Taylor series of degree
+ * 18 with `squarings` squarings. Fails if the argument is too large for them.
+ */
+int clutch_rig_discretise(int n, int total, int squarings, const clutch_rig_real *A, const clutch_rig_real *scale,
+    clutch_rig_real t, clutch_rig_real *E);
+
+/*
+ * y = A x for A (n, m); runs over four rows and two columns at a time, the padding included: eight independent sums
+ * keep the processor busy where one would wait for each addition.
+ */
+static inline void clutch_rig_multiply(int n, int m, const clutch_rig_real *restrict A, const clutch_rig_real *restrict x,
+    clutch_rig_real *restrict y)
+{
+    const int rows = clutch_rig_padded(n);
+    for (int i = 0; i < rows; i += 4) {
+        const clutch_rig_real *a = A + i;
+        clutch_rig_real s0 = 0.0, s1 = 0.0, s2 = 0.0, s3 = 0.0;
+        clutch_rig_real t0 = 0.0, t1 = 0.0, t2 = 0.0, t3 = 0.0;
+        for (int j = 0; j + 1 < m; j += 2) {
+            s0 += a[0] * x[j];
+            s1 += a[1] * x[j];
+            s2 += a[2] * x[j];
+            s3 += a[3] * x[j];
+            a += rows;
+            t0 += a[0] * x[j + 1];
+            t1 += a[1] * x[j + 1];
+            t2 += a[2] * x[j + 1];
+            t3 += a[3] * x[j + 1];
+            a += rows;
+        }
+        if (m % 2) {
+            s0 += a[0] * x[m - 1];
+            s1 += a[1] * x[m - 1];
+            s2 += a[2] * x[m - 1];
+            s3 += a[3] * x[m - 1];
+        }
+        y[i] = s0 + t0;
+        y[i + 1] = s1 + t1;
+        y[i + 2] = s2 + t2;
+        y[i + 3] = s3 + t3;
+    }
+}
+
+/* y = x + A T for A (n, m). */
+static inline void clutch_rig_add_product(int n, int m, clutch_rig_real *restrict y, const clutch_rig_real *restrict x,
+    const clutch_rig_real *restrict A, const clutch_rig_real *restrict T)
+{
+    const int rows = clutch_rig_padded(n);
+    for (int i = 0; i < n; ++i) {
+        clutch_rig_real sum = x[i];
+        for (int j = 0; j < m; ++j) {
+            sum += A[j * rows + i] * T[j];
+        }
+        y[i] = sum;
+    }
+}
+
+/* Pushes `value` into a delay line; `late` is the value of `steps` steps ago, `early` the one of a step before. */
+static inline void clutch_rig_delay(int capacity, clutch_rig_real *line, clutch_rig_real value, clutch_rig_real steps,
+    clutch_rig_real *late, clutch_rig_real *early)
+{
+    const int depth = (int)steps;
+    *late = depth == 0 ? value : line[depth - 1];
+    *early = line[depth];
+    for (int k = capacity - 1; k > 0; --k) {
+        line[k] = line[k - 1];
+    }
+    line[0] = value;
+}
+
+/* Takes `value` if it is finite and at most `bound` in size, else leaves what was held; `sound` is 1 or 0. */
+static inline void clutch_rig_guard(clutch_rig_real value, clutch_rig_real bound, clutch_rig_real before, clutch_rig_real *held,
+    clutch_rig_real *sound)
+{
+    const int good = clutch_rig_abs(value) <= bound; /* false for NaN */
+    *held = good ? value : before;
+    *sound = good ? 1.0 : 0.0;
+}
+
+#endif

@@ -1,0 +1,69 @@
+"""What clutches, brakes and bearings share: one pair of sliding surfaces with the law (3.12).
+
+All three obey the same law, because it is the same contact: two surfaces under a normal force with some lubricant in
+between. They differ in what the velocity is taken against, and in whether somebody sets the normal force: that of a
+clutch or a brake follows an actuation mu from 0 to 1, that of a bearing is always there. Since the actuation presses
+the surfaces together, it scales all parts of the torque alike, the viscous one included, as (3.12) has it.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, ClassVar
+
+from pydantic import model_validator
+
+from ptgen.components.component import Component, Quantity, Switch
+from ptgen.components.friction import FrictionRipple, FrictionSaturation, ripple_at, saturation_at
+from ptgen.elements import Friction, FrictionRole, Row
+
+__all__ = ["DiskPartial", "FrictionPartial"]
+
+
+class FrictionPartial(Component):
+    """Base of the components that are one friction element; each adds the key of its Coulomb torque."""
+
+    strength: ClassVar[str]
+    """The key of the Coulomb torque."""
+
+    static: Annotated[float, Quantity("N m", "largest torque T_c,s that it holds at rest")] | None = None
+    stribeck_speed: (
+        Annotated[float, Quantity("rad/s", "velocity omega_c,s over which the torque falls from static")] | None
+    ) = None
+    viscous: Annotated[float, Quantity("N m s/rad", "viscous friction k_c,v", positive=False)] = 0.0
+    saturation: FrictionSaturation | None = None
+    ripple: FrictionRipple | None = None
+
+    @model_validator(mode="after")
+    def _stribeck(self) -> FrictionPartial:
+        coulomb: float = getattr(self, self.strength)
+        if self.static is None and self.stribeck_speed is not None:
+            raise ValueError('stribeck_speed needs static; add static = "..." with the torque at rest, or remove it')
+        if self.static is not None and self.static < coulomb:
+            what = f"static must not be below {self.strength}, got {self.static:g} N m and {coulomb:g} N m"
+            raise ValueError(f"{what}; exchange the two, or raise static")
+        return self
+
+    def friction(self, name: str, row: Row, role: FrictionRole, *, actuated: bool) -> Friction:
+        """Return the friction element of the component called `name`; it has the component's name."""
+        return Friction(
+            name,
+            row,
+            coulomb=self.symbol(name, self.strength),
+            viscous=self.symbol(name, "viscous"),
+            role=role,
+            static=None if self.static is None else self.symbol(name, "static"),
+            stribeck_speed=None if self.stribeck_speed is None else self.symbol(name, "stribeck_speed"),
+            saturated=saturation_at(self, name, "saturation"),
+            ripple=ripple_at(self, name, "ripple"),
+            actuated=actuated,
+        )
+
+
+class DiskPartial(FrictionPartial):
+    """Base of clutch and brake: disks that an actuation presses together."""
+
+    strength: ClassVar[str] = "capacity"
+
+    capacity: Annotated[float, Quantity("N m", "Coulomb torque T_c,c at full actuation")]
+    actuated: Switch = True
+    """Whether a scenario actuates it; otherwise it is always fully pressed."""
