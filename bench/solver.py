@@ -1,6 +1,6 @@
 """Time per solution and step of the emitted friction code, and its size, against the number of elements.
 
-python bench/friction.py
+python bench/solver.py
 """
 
 from __future__ import annotations
@@ -42,8 +42,8 @@ def main() -> None:
 
 def print_row(n: int, folder: Path) -> None:
     write_sources(folder, n, contacts=0)
-    timing = folder / "friction_timing.c"
-    timing.write_text((ROOT / "bench" / "friction_timing.c").read_text())
+    timing = folder / "solver_timing.c"
+    timing.write_text((ROOT / "bench" / "solver_timing.c").read_text())
     compile_library([timing, folder / "box_friction.c", folder / "box_support.c"], folder / "timing.so")
     library = ctypes.CDLL(str(folder / "timing.so"))
     K, w, slow, c = chain(n)
