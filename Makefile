@@ -4,7 +4,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 BEDS := $(basename $(notdir $(wildcard testbeds/*.toml)))
 
-.PHONY: demo test check check-style generated bench clean
+.PHONY: demo test check check-style generated bench bench-box clean
 
 # Emit, compile and run the shipped differential bed, and draw the result.
 demo: $(VENV)/demo
@@ -36,6 +36,13 @@ generated: $(VENV)/demo
 
 bench: $(VENV)/test
 	$(BIN)/python bench/run.py
+	$(BIN)/python bench/solver.py
+	$(BIN)/python bench/accuracy.py
+	$(BIN)/python bench/simulators.py
+
+# Ten million random friction problems for each number of elements: about an hour.
+bench-box: $(VENV)/test
+	$(BIN)/python bench/box.py
 
 $(VENV)/demo: pyproject.toml
 	$(PYTHON) -m venv $(VENV)
