@@ -28,7 +28,13 @@ def projects(root: Path) -> dict[str, Project]:
     return {project.testbed.name: project for project in beds}
 
 
-@pytest.fixture(scope="session", params=["back_to_back", "differential", "differential_gearboxes"])
+@pytest.fixture(scope="session", params=["back_to_back", "clutch_rig", "differential", "differential_gearboxes"])
 def project(request: pytest.FixtureRequest, projects: dict[str, Project]) -> Project:
     """One shipped bed after the other."""
+    return projects[request.param]
+
+
+@pytest.fixture(scope="session", params=["back_to_back", "differential", "differential_gearboxes"])
+def torque_project(request: pytest.FixtureRequest, projects: dict[str, Project]) -> Project:
+    """One shipped bed after the other that controls a torque."""
     return projects[request.param]

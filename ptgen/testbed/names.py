@@ -82,6 +82,8 @@ def _identifiers(name: str, component: Component) -> Iterator[str]:
     for friction in elements.frictions:
         plain = friction.name.replace(".", "_")
         yield plain
+        yield f"{plain}_torque"
+        yield f"{plain}_speed"
         if friction.actuated:
             yield f"{plain}_actuation"
     yield from (velocity.replace(".", "_") for velocity in elements.internal)

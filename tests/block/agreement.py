@@ -52,6 +52,7 @@ def random_batch(block: Block, size: int, seed: int) -> Batch:
         )
         states["authority"] = rng.random(size)
     inputs = {s.name: rng.normal(size=size) * _magnitude(s, "") for s in block.inputs}
+    inputs |= {s.name: rng.uniform(s.least, s.most, size) for s in block.inputs if s.most is not None}
     if "fault" in states:  # some inputs are implausible
         for signal in block.inputs:
             inputs[signal.name] = np.where(rng.random(size) < 0.01, 1e7, inputs[signal.name])

@@ -90,7 +90,9 @@ def test_agree_along_a_run(project: Project, library: Library) -> None:
             for key, signal in references.items()
         }
         given = {s.name: measured.get(s.name, 0.0) for s in project.controller.inputs} | wanted
-        measured = step("plant", step("controller", given))
+        commands = step("controller", given)
+        pressed = {s.name: abs(np.sin(9 * time + i)) for i, s in enumerate(project.plant.inputs) if s.most is not None}
+        measured = step("plant", commands | pressed)
     for name, block in (("controller", project.controller), ("plant", project.plant)):
         trace[name] = agreement.Batch(
             *({key: np.array([row[key] for row in rows]) for key in rows[0]} for rows in (states[name], inputs[name]))

@@ -25,8 +25,9 @@ def test_speed_loop_has_a_double_pole_at_half_the_bandwidth(project: Project) ->
         np.testing.assert_allclose(poles, -wanted / 2, rtol=1e-6)
 
 
-def test_torque_poles_are_5_79_and_5_81(project: Project) -> None:
+def test_torque_poles_are_5_79_and_5_81(torque_project: Project) -> None:
     """Eigenvalues of the closed loop of the reduced bed with the gains as they are emitted."""
+    project = torque_project
     decoupling, found = project.design.decoupling, project.design.gains
     (machine,) = project.testbed.roles.torque
     inertias = dict.fromkeys(decoupling.inertia_estimate, found.inertia_estimate[machine])
@@ -52,8 +53,9 @@ def test_damping_follows_the_wanted_ratio(projects: dict[str, Project], zeta: fl
     assert poles.imag.any()
 
 
-def test_stiffness_is_that_of_the_reduced_bed(project: Project) -> None:
+def test_stiffness_is_that_of_the_reduced_bed(torque_project: Project) -> None:
     """What M1 sees while all the others stand: the first diagonal entry of E'CE."""
+    project = torque_project
     numeric = project.reduced.model.numeric()
     (machine,) = project.testbed.roles.torque
     at = project.reduced.model.coordinates.index(f"{machine}.shaft")
@@ -78,8 +80,9 @@ def test_accelerated_inertia_is_all_that_stands_before_the_place(
     assert project.design.gains.inertia_estimate["M1"] == pytest.approx(expected, rel=1e-5)
 
 
-def test_steady_acceleration_leaves_the_testing_torque_alone(project: Project) -> None:
+def test_steady_acceleration_leaves_the_testing_torque_alone(torque_project: Project) -> None:
     """The full model, accelerated steadily with the torque that the law adds: the torque at the place is zero."""
+    project = torque_project
     model, design = project.model, project.design
     (machine,), (place,) = project.testbed.roles.torque, project.testbed.roles.torque.values()
     decoupling = design.decoupling

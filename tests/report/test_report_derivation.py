@@ -46,7 +46,7 @@ def test_equations_of_motion_are_those_of_the_model(project, stage):
     for equation in equations.shafts:
         known[Kind.SHAFT, equation.left[0].name] = evaluate(equation.right)
     for slip, torque in zip(equations.slips, f, strict=True):
-        viscous = float(sp.sympify(slip.friction.viscous).subs(values))
+        viscous = float(sp.sympify(slip.friction.linear_viscous).subs(values))
         known[Kind.FRICTION, slip.friction.name] = torque + viscous * evaluate(slip.velocity)
 
     E, G, B = numeric.twist_rows, numeric.friction_rows, numeric.input_rows

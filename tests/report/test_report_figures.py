@@ -136,7 +136,7 @@ def test_names_do_not_overlap(project):
 def test_chains_pass_every_connection(project):
     bed = project.testbed
     found = chains(bed)
-    assert len(found) == {"back_to_back": 1}.get(bed.name, 3)
+    assert len(found) == {"back_to_back": 1, "clutch_rig": 1}.get(bed.name, 3)
     assert sum(len(chain) for chain in found) == 2 * len(bed.connections)
 
 
@@ -181,7 +181,8 @@ def recording(project):
 def test_recordings_are_drawn_in_panels(project, recording, tmp_path):
     drawn = {panel.title: panel for panel in panels(recording, project)}
     slips = {"friction velocities", "friction torques"} if project.model.frictions else set()
-    wanted = {"speeds", "controlled torque", "measured torques", "air-gap torques, commanded"}
+    wanted = {"speeds", "measured torques", "air-gap torques, commanded"}
+    wanted |= {"controlled torque"} if project.testbed.roles.torque else set()
     assert set(drawn) == wanted | slips
     machines = len(project.testbed.machines)
     styles = [curve.style for curve in drawn["speeds"].curves]

@@ -76,7 +76,8 @@ def test_torque_step_hardly_overshoots(name: str, size: float, projects) -> None
     assert peaks[1] > 1.1
 
 
-def test_closed_loop_pole_of_the_first_mode_is_damped(project: Project) -> None:
+def test_closed_loop_pole_of_the_first_mode_is_damped(torque_project: Project) -> None:
+    project = torque_project
     omega = next(iter(project.design.gains.natural_frequency.values())) / (2 * np.pi)
     for pole in closed_loop_poles(project.controller, project.plant):
         assert pole.damping_ratio > 0
@@ -95,6 +96,7 @@ def test_references_are_reached(project: Project, root: Path) -> None:
         "differential": "differential-run",
         "differential_gearboxes": "differential-gearboxes-run",
         "back_to_back": "back-to-back-steps",
+        "clutch_rig": "clutch-rig-engagement",
     }
     recording = run(project, root, name[project.testbed.name])
     for key, signal in project.design.controller.references.items():
