@@ -51,6 +51,9 @@ int back_to_back_cholesky_solve(int n, int columns, back_to_back_real *M, const 
 /* Whether the symmetric matrix K (n, n) is positive definite, or, if asked for, at least semidefinite. */
 int back_to_back_require_definite(int n, int semidefinite, const back_to_back_real *K);
 
+/* Share of a sum of a few numbers that may be rounding. */
+void back_to_back_rounding_unit(back_to_back_real *share);
+
 /* Copies `count` columns of `source` (rows, .), from column `first` on, to (row, column) of `target`. */
 void back_to_back_insert(int rows, int target_stride, int source_stride, int row, int column, int first, int count,
     back_to_back_real *target, const back_to_back_real *source);

@@ -176,7 +176,8 @@ static real broken_away(int deficient, const real *K, const real *slope, const r
         }
     }
     for (int i = 0; i < n; ++i) {
-        known = known && !(v[i] * (v[i] + start * moving[i]) < 0.0);
+        /* what was held until then stays where it is */
+        known = known && !(v[i] * (v[i] + start * moving[i]) < 0.0) && !(v[i] == 0.0 && moving[i] != 0.0);
     }
     return known ? start : 0.0;
 }
@@ -189,6 +190,16 @@ void clutch_rig_friction_step(int deficient, int one_way, const real *K, const r
     int found = 1;
     int stopped = 0;
     *status = 0.0;
+    if (!(K[0] > 0.0)) { /* never prepared */
+        for (int i = 0; i < n; ++i) {
+            torque[i] = 0.0;
+            mean[i] = 0.0;
+            rest_before[i] = rest[i];
+            w_plus[i] = w_free[i];
+        }
+        *status = REAL(-1.0);
+        return;
+    }
     for (int i = n - 1; i >= 0; --i) {
         /* false for NaN and infinity */
         const int sound = slide[i] >= 0.0 && rest[i] >= 0.0 && clutch_rig_is_finite(slide[i]) &&

@@ -51,6 +51,9 @@ int clutch_rig_cholesky_solve(int n, int columns, clutch_rig_real *M, const clut
 /* Whether the symmetric matrix K (n, n) is positive definite, or, if asked for, at least semidefinite. */
 int clutch_rig_require_definite(int n, int semidefinite, const clutch_rig_real *K);
 
+/* Share of a sum of a few numbers that may be rounding. */
+void clutch_rig_rounding_unit(clutch_rig_real *share);
+
 /* Copies `count` columns of `source` (rows, .), from column `first` on, to (row, column) of `target`. */
 void clutch_rig_insert(int rows, int target_stride, int source_stride, int row, int column, int first, int count,
     clutch_rig_real *target, const clutch_rig_real *source);

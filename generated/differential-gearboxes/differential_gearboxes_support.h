@@ -51,6 +51,9 @@ int differential_gearboxes_cholesky_solve(int n, int columns, differential_gearb
 /* Whether the symmetric matrix K (n, n) is positive definite, or, if asked for, at least semidefinite. */
 int differential_gearboxes_require_definite(int n, int semidefinite, const differential_gearboxes_real *K);
 
+/* Share of a sum of a few numbers that may be rounding. */
+void differential_gearboxes_rounding_unit(differential_gearboxes_real *share);
+
 /* Copies `count` columns of `source` (rows, .), from column `first` on, to (row, column) of `target`. */
 void differential_gearboxes_insert(int rows, int target_stride, int source_stride, int row, int column, int first, int count,
     differential_gearboxes_real *target, const differential_gearboxes_real *source);

@@ -119,6 +119,8 @@ int differential_require_definite(int n, int semidefinite, const real *K)
     return 1;
 }
 
+void differential_rounding_unit(real *share) { *share = REAL(64.0) * DBL_EPSILON; }
+
 void differential_insert(int rows, int target_stride, int source_stride, int row, int column, int first, int count,
     real *target, const real *source)
 {

@@ -14,7 +14,7 @@ import casadi as ca
 from ptgen.block.block import Assign, Block, Call, Signal, parse_element
 from ptgen.block.casadi_friction import backlash_step, friction_step, is_closed_form
 from ptgen.block.expressions import Arithmetic, evaluate
-from ptgen.block.kernels import TAYLOR_DEGREE
+from ptgen.block.kernels import TAYLOR_DEGREE, rounding_unit
 
 __all__ = ["CASADI_KERNELS", "CasadiBlock"]
 
@@ -224,6 +224,7 @@ def _guard(value: Any, bound: Any, held: Any) -> tuple[Any, Any]:
 
 CASADI_KERNELS: dict[str, Any] = {
     "difference": lambda A, B: A - B,
+    "rounding_unit": lambda: ca.MX(float(rounding_unit())),
     "insert": _insert,
     "cholesky_solve": lambda M, right: ca.solve(M, right, "ldl"),
     "discretise": _discretise,

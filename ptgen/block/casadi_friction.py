@@ -117,7 +117,8 @@ def _until_broken_away(
         start = ca.fmin(start, ca.if_else(known, 0.5 - over / ca.if_else(known, over + under, 1.0), 0.5))
         some = ca.if_else(known, 1.0, some)
     for i in rows:
-        some = ca.if_else(w[i] * (w[i] + start * moving[i]) < 0, 0.0, some)
+        moved = ca.logic_and(w[i] == 0, moving[i] != 0)
+        some = ca.if_else(ca.logic_or(moved, w[i] * (w[i] + start * moving[i]) < 0), 0.0, some)
     start = ca.if_else(ca.logic_and(some > 0, stopped == 0), start, 0.0)
     return start * held, w + start * moving, 1.0 - start
 

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ptgen.friction.backlash import backlash_step
-from ptgen.friction.box import is_deficient
+from ptgen.friction.box import ROUNDING, is_deficient
 from ptgen.friction.step import friction_step
 
 __all__ = [
@@ -28,6 +28,7 @@ __all__ = [
     "insert",
     "multiply",
     "require_definite",
+    "rounding_unit",
 ]
 
 Array = NDArray[np.float64]
@@ -122,6 +123,11 @@ def guard(value: Array, bound: Array, held: Array) -> tuple[Array, Array]:
     return np.where(sound, value, held), np.where(sound, 1.0, 0.0)
 
 
+def rounding_unit() -> Array:
+    """Return the share of a sum of a few numbers that may be rounding: 64 units of the precision."""
+    return np.array(ROUNDING * np.finfo(np.float64).eps)
+
+
 def difference(A: Array, B: Array) -> Array:
     """Return ``A - B``."""
     return A - B
@@ -129,6 +135,7 @@ def difference(A: Array, B: Array) -> Array:
 
 KERNELS: dict[str, Callable[..., Any]] = {
     "difference": difference,
+    "rounding_unit": rounding_unit,
     "insert": insert,
     "cholesky_solve": cholesky_solve,
     "discretise": discretise,

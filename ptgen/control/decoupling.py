@@ -138,7 +138,7 @@ def _decouple(reduced: ReducedModel, roles: Roles, machines: tuple[str, ...]) ->
     chains = tuple(derivatives(system, name, form) for name, form in forms.items())
     matrix = exact.stack([chain.input_row for chain in chains], len(machines))
     findings.check_degrees(chains, roles)
-    findings.check_regular(matrix, values, len(model.twists), torque_count)
+    findings.check_regular(matrix, values, model, torque_count)
     damping = tuple(sp.Symbol(f"{name}_damping", nonnegative=True) for name in roles.torque)
     stiffness = _natural_stiffness(system, chains, actuators, torque_count, estimates)
     state_law = _state_law(
@@ -155,7 +155,7 @@ def _decouple(reduced: ReducedModel, roles: Roles, machines: tuple[str, ...]) ->
     )
     table = {**values, **dict.fromkeys(damping, 1.0)}
     eigenvalues = _internal_eigenvalues(system, model, chains, state_law, table, reduced.equivalent_damping)
-    findings.check_internal(eigenvalues, _swinging(reduced))
+    findings.check_internal(eigenvalues, _swinging(reduced), model, torque_count)
     sensors = tuple(sensor.name for sensor in model.sensors)
     law = measured_law(
         reduced.original, model, chains, state_law, forms, actuators, torque_count, machines, _swinging(reduced)

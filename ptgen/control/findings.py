@@ -11,6 +11,7 @@ import sympy as sp
 from numpy.typing import NDArray
 
 from ptgen.control.lie import OutputChain
+from ptgen.elements import FrictionRole
 from ptgen.errors import ControlError, Problem, nearest
 from ptgen.mechanism.model import Model, evaluate_matrix
 from ptgen.testbed.testbed import Roles
@@ -54,8 +55,20 @@ def check_degrees(chains: Sequence[OutputChain], roles: Roles) -> None:
         raise ControlError(problems)
 
 
-def check_regular(matrix: sp.Matrix, values: Mapping[sp.Symbol, float], twists: int, torques: int) -> None:
+def _fewer_torques(torques: int, model: Model) -> str:
+    """Return what to do about torques that cannot all be controlled, or twists that nobody controls."""
+    if torques == 0:
+        return "let one of the machines control a torque: what lies between machines at given speeds winds up"
+    couplings = [friction.name for friction in model.frictions if friction.role is FrictionRole.COUPLING]
+    if couplings:
+        names = ", ".join(f'"{name}"' for name in couplings)
+        return f"a torque needs a closed line: design for locked elements with [reduction] locked = [{names}]"
+    return "let fewer machines control torques, and more control speeds"
+
+
+def check_regular(matrix: sp.Matrix, values: Mapping[sp.Symbol, float], model: Model, torques: int) -> None:
     """Raise if the decoupling matrix is singular."""
+    twists = len(model.twists)
     if _is_regular(evaluate_matrix(matrix, values)):
         return
     if torques > twists:
@@ -70,12 +83,12 @@ def check_regular(matrix: sp.Matrix, values: Mapping[sp.Symbol, float], twists: 
         Problem(
             "control",
             f"the decoupling matrix is singular: {cause}",
-            "let fewer machines control torques, and more control speeds",
+            _fewer_torques(torques, model),
         )
     )
 
 
-def check_internal(eigenvalues: NDArray[np.complex128], swinging: Sequence[str]) -> None:
+def check_internal(eigenvalues: NDArray[np.complex128], swinging: Sequence[str], model: Model, torques: int) -> None:
     """Raise if the internal dynamics are not asymptotically stable.
 
     `swinging` are the components whose inertia the reduced model keeps besides the machines.
@@ -91,7 +104,7 @@ def check_internal(eigenvalues: NDArray[np.complex128], swinging: Sequence[str])
         f"{len(eigenvalues)} states stay behind the controlled quantities (internal dynamics) and are not "
         f"asymptotically stable: eigenvalues {shown} 1/s; they would wind up or oscillate unseen"
     )
-    remedy = "let fewer machines control torques, and more control speeds"
+    remedy = _fewer_torques(torques, model)
     if any(abs(value.imag) > 0 for value in unstable) and swinging:
         names = ", ".join(f'"{name}"' for name in swinging)
         remedy = f"give the shafts their damping, or leave the inertia out of the design: [reduction] drop = [{names}]"

@@ -10,7 +10,7 @@ from ptgen.emit.c_block import CBlock
 from ptgen.emit.c_expressions import Precision, literal
 from ptgen.emit.friction_source import uses_friction
 from ptgen.emit.templates import render
-from ptgen.friction.box import DEFICIENT
+from ptgen.friction.box import DEFICIENT, ROUNDING
 
 __all__ = ["block_files", "common_context"]
 
@@ -33,6 +33,7 @@ def common_context(prefix: str, bed_file: str, digest: str, precision: Precision
         "one": literal(1.0, precision),
         "taylor_degree": TAYLOR_DEGREE,
         "deficient_limit": DEFICIENT,
+        "rounding": ROUNDING,
         **{function: f"{function}{suffix}" for function in ("sqrt", "floor", "exp", "sin")},
     }
 

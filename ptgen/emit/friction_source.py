@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ptgen.block.block import Block, Call
 from ptgen.friction.backlash import SWEEPS
-from ptgen.friction.box import LEAST_SHIFT, NO_PIVOT, PATIENCE, ROUNDING
+from ptgen.friction.box import LEAST_SHIFT, NO_PIVOT, PATIENCE
 from ptgen.friction.step import UNSOLVED
 
 __all__ = ["friction_context", "uses_friction"]
@@ -21,7 +21,6 @@ def friction_context(elements: int, contacts: int) -> dict[str, object]:
     return {
         "elements": elements,
         "contacts": contacts,
-        "rounding": ROUNDING,
         "no_pivot": NO_PIVOT,
         "least_shift": LEAST_SHIFT,
         "patience": PATIENCE,

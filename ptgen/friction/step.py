@@ -131,7 +131,8 @@ def step_friction(
             held = solve_box(K, rate, *unbounded, solution.T, deficient)
             sign = np.sign(solution.w_plus)
             start = _broken_away(leaving & (rest_before > 0), sign * held.T - rest, rest_before - sign * guess)
-            if not np.any(w * (w + start * held.w_plus) < 0):
+            # What was held until then stays where it is: it would not have moved without a torque beyond the capacity.
+            if not np.any((w * (w + start * held.w_plus) < 0) | ((w == 0) & (held.w_plus != 0))):
                 mean, w, left = start * held.T, w + start * held.w_plus, 1.0 - start
         while leaving.any():
             lo, hi = np.where(leaving, -slide, lo), np.where(leaving & ~one_way, slide, hi)

@@ -26,7 +26,7 @@ import scipy.linalg
 import sympy as sp
 from numpy.typing import NDArray
 
-from ptgen.elements import FrictionRole, Spring
+from ptgen.elements import Friction, FrictionRole, Spring
 from ptgen.errors import ModelError, Problem, nearest
 from ptgen.mechanism.applied_rules import (
     AppliedRule,
@@ -133,7 +133,8 @@ def reduce_mechanism(mechanism: Mechanism, settings: ReductionSettings, full: Mo
     compared = assemble(driven) if idle else full
     before = modes(compared)
 
-    losses = {f.name for f in driven.frictions if f.role is FrictionRole.LOSS}
+    kept = {friction.name for friction in driven.frictions}
+    losses = {friction.name for friction in mechanism.frictions if _is_loss(friction)} & kept
     rules += [loss_rule(mechanism, name) for name in sorted(losses)]
     reduced = driven.without_frictions(losses)
     rules += drive_rules(mechanism, before)
@@ -178,6 +179,11 @@ def reduce_mechanism(mechanism: Mechanism, settings: ReductionSettings, full: Mo
         parameters=_parameters(model, damping),
         definitions=series.definitions,
     )
+
+
+def _is_loss(friction: Friction) -> bool:
+    """Tell whether an element is left to the integrators of the controllers: a loss, or a brake against the housing."""
+    return friction.role is FrictionRole.LOSS or (friction.role is FrictionRole.COUPLING and len(friction.row) == 1)
 
 
 def _with_numbers(mechanism: Mechanism) -> Mechanism:

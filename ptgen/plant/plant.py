@@ -191,6 +191,8 @@ class _Plant:
         states.append(Signal("friction_torque", "N m", "friction torques at the end of the step", n_f, entries=names))
         states.append(Signal("friction_rest", "N m", "capacities at rest in the last step", n_f, entries=names))
         states.append(Signal("friction_status", "", "0, or what was wrong with the friction of the last step"))
+        if any(not self.signals.is_state(i) for i in range(self.layout.n_f)):
+            derived.append(Signal("velocity_rounding", "", "share of a sum of velocities that is rounding"))
         derived.append(Signal("K", "rad/(N m s)", "friction velocities lost per mean friction torque", n_f * 2))
         arrays += [
             Signal("w_start", "rad/s", "friction velocities at the start of the step", n_f),

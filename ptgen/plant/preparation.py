@@ -73,6 +73,8 @@ class Preparation:
             statements.append(Call("insert", ("gamma",), ("gamma", "whole"), numbers=(0, 0, n + n_u, n_t)))
         if layout.n_f:
             statements += self._lost("K", model.friction_rows, 0, n + n_u, "K = -G Gamma_f")
+            if not all(self.signals.is_state(i) for i in range(layout.n_f)):
+                statements.append(Call("rounding_unit", ("velocity_rounding",), (), "of a sum of velocities"))
             statements.append(
                 Call("require_definite", (), ("K",), "friction can be solved", (int(is_dependent(model)),))
             )

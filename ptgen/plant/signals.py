@@ -41,6 +41,10 @@ class PlantSignals:
         """Return a row over the coordinates as an expression of the state array."""
         return sum((row[k] * element("x", k) for k in range(self.layout.n_z) if row[k] != 0), sp.Integer(0))
 
+    def is_state(self, i: int) -> bool:
+        """Tell whether the velocity of a friction element is a state, not a combination of states."""
+        return bool(self.over_coordinates(self.model.friction_rows[i, :]).is_Symbol)
+
     def friction_speed(self, i: int) -> sp.Expr:
         """Return the velocity of a friction element as an expression of the state array.
 
@@ -49,7 +53,9 @@ class PlantSignals:
         speed = self.over_coordinates(self.model.friction_rows[i, :])
         if speed.is_Symbol:
             return speed
-        stands = sp.Abs(speed) < sp.Symbol("standstill_speed", real=True)
+        terms = sp.Add.make_args(speed)
+        rounding = sp.Symbol("velocity_rounding", real=True) * sum((sp.Abs(term) for term in terms), sp.Integer(0))
+        stands = sp.Abs(speed) < sp.Symbol("standstill_speed", real=True) + rounding
         return sp.Piecewise((sp.Integer(0), stands), (speed, True))
 
     def over(self, name: str, form: LinearForm, x: Callable[[int], sp.Expr]) -> sp.Expr:

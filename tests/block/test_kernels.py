@@ -19,7 +19,15 @@ from ptgen.project import Project
 def test_every_kernel_has_all_implementations(projects: dict[str, Project]) -> None:
     assert set(KERNELS) == set(CASADI_KERNELS)
     context = friction_context(elements=2, contacts=1)
-    numbers = {"max_order": 1, "zero": "0.0", "one": "1.0", "taylor_degree": 18, "precision": "double"}
+    numbers = {
+        "max_order": 1,
+        "zero": "0.0",
+        "one": "1.0",
+        "taylor_degree": 18,
+        "precision": "double",
+        "deficient_limit": 1024,
+        "rounding": 64,
+    }
     names = {"prefix": "x", "bed_file": "", "digest": ""}
     headers = "".join(render(f"{part}.h.jinja", **names, **numbers, **context) for part in ("support", "friction"))
     for name in KERNELS:

@@ -13,7 +13,7 @@ import numpy as np
 from ptgen.block.kernels import TAYLOR_DEGREE
 from ptgen.emit.friction_source import friction_context
 from ptgen.emit.templates import render
-from ptgen.friction.box import DEFICIENT
+from ptgen.friction.box import DEFICIENT, ROUNDING
 from ptgen.simulate.compiler import compile_library
 
 __all__ = ["CHECKS", "KINDS", "BoxLibrary", "BoxProblem", "Report", "box_library", "write_sources"]
@@ -59,7 +59,15 @@ def write_sources(folder: Path, n: int, contacts: int = 1, dependent: bool = Fal
     numbers = {"zero": f"0.0{suffix}", "one": f"1.0{suffix}", "max_order": _MAX_ORDER, "taylor_degree": TAYLOR_DEGREE}
     for part in ("support", "friction"):
         for end in ("h", "c"):
-            text = render(f"{part}.{end}.jinja", **names, **functions, **numbers, deficient_limit=DEFICIENT, **context)
+            text = render(
+                f"{part}.{end}.jinja",
+                **names,
+                **functions,
+                **numbers,
+                deficient_limit=DEFICIENT,
+                rounding=ROUNDING,
+                **context,
+            )
             (folder / f"box_{part}.{end}").write_text(text)
 
 

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 
 from ptgen.block import casadi_friction
 from ptgen.friction.box import is_deficient, solve_box
-from ptgen.friction.step import FrictionStep, step_friction
+from ptgen.friction.step import UNSOLVED, FrictionStep, step_friction
 
 ELEMENTS = range(1, 7)
 
@@ -316,3 +316,27 @@ def test_two_half_steps_are_one(n: int) -> None:
         assert w == pytest.approx(whole.w_plus, abs=1e-9 * speed)
         assert total == pytest.approx(whole.mean, abs=1e-9 * np.max(step.rest))
         assert np.all(dissipated >= 0.0)
+
+
+@pytest.mark.parametrize("kind", ["two-way", "one-way", "dependent"])
+@pytest.mark.parametrize("n", ELEMENTS)
+def test_after_a_break_away_in_the_step_before_what_is_held_stays(n: int, kind: str) -> None:
+    """Torques at the end never drive, and one inside its limits leaves no velocity, whenever others broke away."""
+    if kind == "dependent" and n == 1:
+        pytest.skip("one element depends on nothing")
+    for seed in range(300):
+        step = random_step(seed, n, kind == "dependent", kind == "one-way", follows=True)
+        result = step.by_numpy()
+        scale = np.max(abs(step.w) + abs(step.w_free))
+        assert np.all(result.end * result.w_plus >= 0), seed
+        inside = abs(result.end) < np.minimum(step.slide, step.rest) * (1 - 1e-9)
+        assert np.all(abs(result.w_plus[inside]) <= 1e-12 * scale), seed
+
+
+@pytest.mark.compile
+def test_a_step_that_was_never_prepared_gives_no_torque() -> None:
+    for n in (1, 2, 4):
+        rows = (np.zeros(n), np.ones(n), np.ones(n), np.ones(n), np.ones(n))
+        mean, torque, w_plus, status = box_library(n).friction_step(np.zeros((n, n)), *rows, False, 0)
+        assert status == UNSOLVED
+        assert not mean.any() and not torque.any() and list(w_plus) == [1.0] * n

@@ -122,13 +122,14 @@ def test_freewheel_is_locked_in_one_direction() -> None:
     assert frequencies(result.modes_after) == pytest.approx(frequencies(wanted.modes_after), rel=1e-9)
 
 
-def test_bearing_is_a_loss_and_brake_a_disturbance() -> None:
+def test_bearing_and_brake_are_left_to_the_integrators() -> None:
     middle = {
         "bearing1": ("bearing", {"coulomb": 1.5, "viscous": 0.01}),
         "brake1": ("brake", {"inertia": 0.05, "capacity": "200 N m"}),
     }
     result = reduced(bed(middle))
-    assert [friction.name for friction in result.model.frictions] == ["brake1"]
+    assert result.model.frictions == ()
+    assert rules(result)["drop losses", "brake1"] == "the torque controller's integrator covers 200 N m"
     assert rules(result)["drop losses", "bearing1"] == "the torque controller's integrator covers 1.5 N m"
 
 
@@ -146,7 +147,7 @@ def test_brake_that_holds_a_machine_cannot_be_locked() -> None:
     made = bed({})
     made.add("brake1", "brake", capacity="200 N m")
     made.chains = ["M1 - flange1 - cardan1 - cardan2 - flange2 - brake1 - M2"]
-    assert reduced(made).model.frictions, "free it is a disturbance"
+    assert ("drop losses", "brake1") in rules(reduced(made)), "free it is left to the integrator"
     made.reduction = {"locked": ["brake1"]}
     with pytest.raises(ModelError, match="M2 cannot turn with brake1 locked") as caught:
         reduced(made)
