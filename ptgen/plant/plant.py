@@ -13,26 +13,21 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
-import numpy as np
 import sympy as sp
 
 from ptgen.block.block import Alarm, Assign, Block, Call, Signal, Statement, element, parse_element
 from ptgen.block.numpy_evaluator import NumpyBlock
 from ptgen.elements import Parameter
-from ptgen.errors import ModelError, Problem
 from ptgen.friction.step import UNSOLVED
 from ptgen.mechanism.dependence import is_dependent
-from ptgen.mechanism.model import Model, evaluate_matrix
-from ptgen.mechanism.modes import Mode, modes
+from ptgen.mechanism.model import Model
 from ptgen.plant.capacities import Capacities
 from ptgen.plant.layout import Layout, identifier
+from ptgen.plant.limits import DELAY_CAPACITY, check_dead_times, too_fast
 from ptgen.plant.preparation import Preparation
 from ptgen.plant.signals import PlantSignals
 
-__all__ = ["DELAY_CAPACITY", "STANDSTILL", "plant_block"]
-
-DELAY_CAPACITY = 16
-"""Steps of dead time for which every delay line has room, one more than can be asked for."""
+__all__ = ["STANDSTILL", "plant_block"]
 
 STANDSTILL = 1e-9
 """Friction velocity (rad/s) below which an element counts as standing; one revolution in two hundred years."""
@@ -53,55 +48,14 @@ def plant_block(model: Model, sample_time: float) -> Block:
     ModelError
         If the bed has a dead time or a mode that the step cannot represent.
     """
-    _check_dead_times(model, sample_time)
+    check_dead_times(model, sample_time)
     block = _Plant(model, sample_time).block()
     evaluator = NumpyBlock(block)
     try:
         evaluator.prepare(evaluator.defaults())
     except ValueError:
-        raise _too_fast(model, sample_time) from None
+        raise too_fast(model, sample_time) from None
     return block
-
-
-def _check_dead_times(model: Model, sample_time: float) -> None:
-    longest = (DELAY_CAPACITY - 1) * sample_time
-    problems = []
-    for torque in model.inputs:
-        dead_time = torque.drive.dead_time
-        if dead_time is not None and model.values[dead_time] > longest:
-            what = f"is {1e6 * model.values[dead_time]:.6g} us, more than {DELAY_CAPACITY - 1} steps of the controller"
-            remedy = f"check the unit, or take a longer sample_time: {1e6 * longest:.6g} us are possible now"
-            problems.append(Problem(f"components.{torque.name}.inverter.dead_time", what, remedy))
-    if problems:
-        raise ModelError(problems)
-
-
-def _too_fast(model: Model, sample_time: float) -> ModelError:
-    """Return the error for a mode that is too fast for the step, with the shaft that makes it so."""
-    numeric = model.numeric()
-
-    def taken(mode: Mode) -> float:
-        """Return what friction torques take from a mode over a step; negative if the mode is too fast."""
-        omega = 2 * np.pi * mode.frequency_hz
-        size = float(np.sum((numeric.friction_rows @ mode.vector) ** 2))
-        return size * (float(np.sin(omega * sample_time)) / omega if omega > 0 else sample_time)
-
-    fastest = min(modes(model), key=taken)
-    strain = {
-        name: float((evaluate_matrix(row, model.values)[0] @ numeric.twist_rows @ fastest.vector) ** 2)
-        * float(evaluate_matrix(sp.Matrix([[model.spring_stiffness[name]]]), model.values)[0, 0])
-        for name, row in model.spring_rows.items()
-    }
-    shaft = max(strain, key=lambda name: strain[name])
-    what = (
-        f"is too long for the mode at {fastest.frequency_hz:.4g} Hz, whose friction could not be solved any more "
-        f"(half the sampling rate is {0.5 / sample_time:.4g} Hz)"
-    )
-    remedy = (
-        f"connect the flanges of {shaft}, which is the stiff part of that mode, directly instead; or raise the "
-        f"inertias beside it; or take a sample_time of {1e6 / (4 * fastest.frequency_hz):.0f} us or less"
-    )
-    return ModelError(Problem("testbed.sample_time", what, remedy))
 
 
 class _Plant:
