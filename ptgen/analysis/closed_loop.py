@@ -16,6 +16,10 @@ from ptgen.plant.free import with_free_frictions
 __all__ = ["Pole", "closed_loop_matrix", "closed_loop_poles"]
 
 
+_NEUTRAL = 1e-9
+"""Poles of z that are no further from the unit circle are neutral: what open clutches leave to coast."""
+
+
 @dataclass(frozen=True)
 class Pole:
     """A pole of the sampled closed loop.
@@ -34,6 +38,11 @@ class Pole:
     s: complex
     frequency_hz: float
     damping_ratio: float
+
+    @property
+    def is_unstable(self) -> bool:
+        """Whether the pole lies outside the unit circle by more than rounding; a part that coasts is on it."""
+        return abs(self.z) > 1 + _NEUTRAL
 
 
 def closed_loop_matrix(

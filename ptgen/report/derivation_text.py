@@ -198,12 +198,13 @@ def _gains(found: Derivation) -> Iterator[RenderableType]:
 
 def _closed_loop(found: Derivation) -> Iterator[RenderableType]:
     """Show the slowest and the least damped poles of the emitted code in closed loop, per controller."""
-    yield Text("Poles of controller and full plant as they run: sampled, with lag and dead time, without friction.")
+    yield Text("Poles of controller and full plant as they run: sampled, lag and dead time, free friction elements.")
     for name, poles in found.closed_loop.items():
-        unstable = [pole for pole in poles if pole.damping_ratio < 0]
+        unstable = [pole for pole in poles if pole.is_unstable]
         stable = [pole for pole in poles if 0 <= pole.damping_ratio < 1 and pole.z.real > 0]
         swinging = sorted({(pole.frequency_hz, pole.damping_ratio) for pole in stable})
         shown = ", ".join(f"{frequency:.4g} Hz with {100 * damping:.3g} %" for frequency, damping in swinging[:6])
         yield Text(f"  {name}: oscillating poles and their damping: {shown or 'none'}")
         if unstable:
-            yield Text(f"  {name}: {len(unstable)} poles are UNSTABLE", style="bold red")
+            counted = "1 pole is" if len(unstable) == 1 else f"{len(unstable)} poles are"
+            yield Text(f"  {name}: {counted} UNSTABLE", style="bold red")

@@ -172,3 +172,12 @@ def test_coupling_shrinks_with_the_sampling_time() -> None:
     table = coupling_by_sample_time([4e-4, 2e-4, 1e-4, 5e-5])
     errors = np.array([error for _, error in table])
     assert np.all(errors[1:] < 0.75 * errors[:-1]), table
+
+
+def test_parts_that_coast_are_not_called_unstable(projects) -> None:
+    """Between open clutches the middle of the rig turns as it likes."""
+    project = projects["clutch_rig"]
+    for parameters in ({}, project.design.controller.conventional):
+        poles = closed_loop_poles(project.controller, project.plant, parameters)
+        assert not any(pole.is_unstable for pole in poles)
+        assert any(abs(pole.z - 1) < 1e-9 for pole in poles)
