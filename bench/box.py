@@ -29,7 +29,7 @@ def main(problems: int, elements: tuple[int, ...]) -> int:
     )
     failures = 0
     for n in elements:
-        library = box_library(n, dependent=True)
+        library = box_library(n)
         for kind in KINDS:
             count = problems // len(KINDS)
             start = time.perf_counter()

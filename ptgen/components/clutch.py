@@ -28,7 +28,7 @@ import sympy as sp
 
 from ptgen.components.component import Flange, Quantity
 from ptgen.components.friction_partial import DiskPartial
-from ptgen.elements import Body, Elements, FrictionRole
+from ptgen.elements import Elements, FrictionRole
 
 __all__ = ["Clutch"]
 
@@ -47,10 +47,6 @@ class Clutch(DiskPartial):
     def elements(self, name: str) -> Elements:
         row = {f"{name}.input": sp.Integer(1), f"{name}.output": sp.Integer(-1)}
         return Elements(
-            bodies=tuple(
-                Body(f"{name}.{side}", self.symbol(name, f"inertia_{side}"))
-                for side in ("input", "output")
-                if getattr(self, f"inertia_{side}") is not None
-            ),
+            bodies=self.disk_bodies(name),
             frictions=(self.friction(name, row, FrictionRole.COUPLING, actuated=self.actuated),),
         )

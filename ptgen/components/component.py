@@ -20,7 +20,7 @@ from pydantic.fields import FieldInfo
 from pydantic_core import core_schema
 
 from ptgen import units
-from ptgen.elements import Elements, Parameter
+from ptgen.elements import Body, Elements, Parameter
 
 __all__ = ["Component", "Flange", "Quantity", "Record", "Switch", "Text"]
 
@@ -160,6 +160,11 @@ class Component(Record, ABC):
             if parameter.symbol.name == wanted:
                 return parameter.symbol
         raise KeyError(wanted)
+
+    def disk_bodies(self, name: str) -> tuple[Body, ...]:
+        """Return the bodies of the flanges that have a key for an inertia of their own, where it is given."""
+        given = [flange for flange in self.flange_names() if getattr(self, f"inertia_{flange}", None) is not None]
+        return tuple(Body(f"{name}.{flange}", self.symbol(name, f"inertia_{flange}")) for flange in given)
 
     @abstractmethod
     def elements(self, name: str) -> Elements:

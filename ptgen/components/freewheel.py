@@ -25,7 +25,7 @@ from typing import Annotated, ClassVar, Literal
 import sympy as sp
 
 from ptgen.components.component import Component, Flange, Quantity
-from ptgen.elements import Body, Elements, Friction, FrictionRole
+from ptgen.elements import Elements, Friction, FrictionRole
 
 __all__ = ["Freewheel"]
 
@@ -46,11 +46,7 @@ class Freewheel(Component):
     def elements(self, name: str) -> Elements:
         row = {f"{name}.input": sp.Integer(1), f"{name}.output": sp.Integer(-1)}
         return Elements(
-            bodies=tuple(
-                Body(f"{name}.{side}", self.symbol(name, f"inertia_{side}"))
-                for side in ("input", "output")
-                if getattr(self, f"inertia_{side}") is not None
-            ),
+            bodies=self.disk_bodies(name),
             frictions=(
                 Friction(
                     name,

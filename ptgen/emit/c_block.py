@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from ptgen.block.block import Assign, Block, Call, Section, Signal, Statement, parse_element
 from ptgen.emit.c_expressions import CExpressions, Precision, literal
+from ptgen.emit.friction_source import uses_friction
 
 __all__ = ["BAD_INPUT", "CBlock", "CField", "CInput", "padded"]
 
@@ -95,7 +96,7 @@ class CBlock:
     @property
     def has_friction(self) -> bool:
         """Whether the block solves for friction or contact torques."""
-        return bool({"friction_step", "backlash_step"} & {s.kernel for s in self.block.step if isinstance(s, Call)})
+        return uses_friction(self.block) is not None
 
     def entry_comments(self, name: str) -> list[str]:
         """Return the meaning of each entry of an array, for the header."""

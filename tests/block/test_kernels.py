@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 
 from ptgen.block.casadi_evaluator import CASADI_KERNELS
 from ptgen.block.kernels import KERNELS, delay, discretise, guard
+from ptgen.emit.block_files import common_context
 from ptgen.emit.c_block import CBlock
 from ptgen.emit.friction_source import friction_context
 from ptgen.emit.templates import render
@@ -18,18 +19,8 @@ from ptgen.project import Project
 
 def test_every_kernel_has_all_implementations(projects: dict[str, Project]) -> None:
     assert set(KERNELS) == set(CASADI_KERNELS)
-    context = friction_context(elements=2, contacts=1)
-    numbers = {
-        "max_order": 1,
-        "zero": "0.0",
-        "one": "1.0",
-        "taylor_degree": 18,
-        "precision": "double",
-        "deficient_limit": 1024,
-        "rounding": 64,
-    }
-    names = {"prefix": "x", "bed_file": "", "digest": ""}
-    headers = "".join(render(f"{part}.h.jinja", **names, **numbers, **context) for part in ("support", "friction"))
+    context = {**common_context("x", "", "", "double"), "max_order": 1, **friction_context(elements=2, contacts=1)}
+    headers = "".join(render(f"{part}.h.jinja", **context) for part in ("support", "friction"))
     for name in KERNELS:
         assert f"x_{name}(" in headers, name
 

@@ -10,10 +10,10 @@ from tempfile import mkdtemp
 
 import numpy as np
 
-from ptgen.block.kernels import TAYLOR_DEGREE
+from ptgen.emit.block_files import common_context
+from ptgen.emit.c_expressions import Precision
 from ptgen.emit.friction_source import friction_context
 from ptgen.emit.templates import render
-from ptgen.friction.box import DEFICIENT, ROUNDING
 from ptgen.simulate.compiler import compile_library
 
 __all__ = ["CHECKS", "KINDS", "BoxLibrary", "BoxProblem", "Report", "box_library", "write_sources"]
@@ -50,41 +50,33 @@ class BoxProblem:
     deficient: bool
 
 
-def write_sources(folder: Path, n: int, contacts: int = 1, dependent: bool = False, precision: str = "double") -> None:
+def write_sources(folder: Path, n: int, contacts: int = 1, precision: Precision = "double") -> None:
     """Write support and friction code for `n` elements into `folder`, with the prefix ``box``."""
-    context = friction_context(elements=n, contacts=contacts)
-    suffix = "f" if precision == "float" else ""
-    names = {"prefix": "box", "bed_file": "", "digest": "", "precision": precision}
-    functions = {name: name + suffix for name in ("sqrt", "floor", "exp", "sin")}
-    numbers = {"zero": f"0.0{suffix}", "one": f"1.0{suffix}", "max_order": _MAX_ORDER, "taylor_degree": TAYLOR_DEGREE}
+    context = {
+        **common_context("box", "", "", precision),
+        "max_order": _MAX_ORDER,
+        **friction_context(elements=n, contacts=contacts),
+    }
     for part in ("support", "friction"):
         for end in ("h", "c"):
-            text = render(
-                f"{part}.{end}.jinja",
-                **names,
-                **functions,
-                **numbers,
-                deficient_limit=DEFICIENT,
-                rounding=ROUNDING,
-                **context,
-            )
+            text = render(f"{part}.{end}.jinja", **context)
             (folder / f"box_{part}.{end}").write_text(text)
 
 
 @cache
-def box_library(n: int, dependent: bool = False, contacts: int = 1) -> BoxLibrary:
+def box_library(n: int, contacts: int = 1) -> BoxLibrary:
     """Return the compiled library for `n` elements and for `contacts` shafts with backlash; made once."""
-    return BoxLibrary(n, dependent, contacts)
+    return BoxLibrary(n, contacts)
 
 
 class BoxLibrary:
     """The emitted solver for `n` elements."""
 
-    def __init__(self, n: int, dependent: bool, contacts: int) -> None:
+    def __init__(self, n: int, contacts: int) -> None:
         self.n, self.stride, self.contacts = n, (n + 3) // 4 * 4, contacts
         self.general = n > 2
         folder = Path(mkdtemp(prefix="box"))
-        write_sources(folder, n, contacts, dependent)
+        write_sources(folder, n, contacts)
         harness = folder / "box_problems.c"
         text = Path(__file__).with_suffix(".c").read_text()
         harness.write_text(f"#define BOX_GENERAL {int(self.general)}\n{text}")
