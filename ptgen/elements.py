@@ -52,6 +52,9 @@ class Parameter:
         Whether zero is forbidden.
     signed : bool
         Whether negative values are allowed.
+    span : tuple of two floats, or None
+        Least and largest value, if it changes while the bed runs: then it is an input of that name, and `value` holds
+        at the start. None if it is constant.
     """
 
     symbol: sp.Symbol
@@ -60,6 +63,7 @@ class Parameter:
     description: str
     positive: bool = False
     signed: bool = False
+    span: tuple[float, float] | None = None
 
 
 @dataclass(frozen=True)

@@ -40,14 +40,15 @@ def assemble(mechanism: Mechanism, first: First = "frictions") -> Model:
     Raises
     ------
     ModelError
-        If a velocity has neither inertia nor stiffness, or a friction element or a shaft with backlash acts where
-        there is no inertia.
+        If a velocity has neither inertia nor stiffness, a friction element or a shaft with backlash acts where
+        there is no inertia, or inertias are coupled rigidly by a ratio that changes at run time.
     """
     mechanism, fixed = with_exact_loops(mechanism, first)
     coordinates = choose_coordinates(mechanism, first)
     if first == "frictions":
         _check_massless(mechanism, coordinates)
     condensed = _condense(mechanism, coordinates, first)
+    _check_changing(mechanism, condensed, first)
     return _model(mechanism, condensed, fixed)
 
 
@@ -56,12 +57,13 @@ class _Condensed:
     """Everything over the coordinates that carry inertia.
 
     `follow` maps them to all velocities, `offset` gives the displacement of all velocities per unit of friction
-    or contact torque that the condensed part takes statically.
+    or contact torque that the condensed part takes statically. `is_static` tells whether there is such a part.
     """
 
     names: tuple[str, ...]
     follow: sp.Matrix
     offset: sp.Matrix
+    is_static: bool
 
 
 def _condense(mechanism: Mechanism, coordinates: Coordinates, first: First) -> _Condensed:
@@ -69,7 +71,7 @@ def _condense(mechanism: Mechanism, coordinates: Coordinates, first: First) -> _
     kept, S = coordinates.with_inertia, coordinates.S
     if kept == len(coordinates.names):
         columns = len(mechanism.frictions) + len(_contacts(mechanism))
-        return _Condensed(coordinates.names, S, sp.zeros(len(velocities), columns))
+        return _Condensed(coordinates.names, S, sp.zeros(len(velocities), columns), False)
     springs = exact.stack([exact.row_vector(s.row, velocities) for s in mechanism.springs], len(velocities)) * S
     acting = [f.row for f in mechanism.frictions] + [spring.row for spring in _contacts(mechanism)]
     frictions = exact.stack([exact.row_vector(row, velocities) for row in acting], len(velocities)) * S
@@ -87,7 +89,7 @@ def _condense(mechanism: Mechanism, coordinates: Coordinates, first: First) -> _
         ) from None
     Psi = sp.eye(kept).col_join(-solved[:, :kept])
     offset = sp.zeros(kept, frictions.shape[0]).col_join(-solved[:, kept:])
-    return _Condensed(coordinates.names[:kept], exact.canonical(S * Psi), exact.canonical(S * offset))
+    return _Condensed(coordinates.names[:kept], exact.canonical(S * Psi), exact.canonical(S * offset), True)
 
 
 def _contacts(mechanism: Mechanism) -> list[Spring]:
@@ -117,17 +119,52 @@ def _check_massless(mechanism: Mechanism, coordinates: Coordinates) -> None:
         raise ModelError(problems)
 
 
-def _twists(springs: Sequence[Spring], rows: sp.Matrix) -> tuple[tuple[str, ...], sp.Matrix, sp.Matrix]:
+def _check_changing(mechanism: Mechanism, condensed: _Condensed, first: First) -> None:
+    """Raise if inertias are coupled rigidly by a ratio that changes: it would have to move them both at once."""
+    follow = dict(zip(mechanism.velocities, condensed.follow.tolist(), strict=True))
+    problems = []
+    for parameter in mechanism.changing:
+        bodies = [
+            body.velocity
+            for body in mechanism.bodies
+            if any(parameter.symbol in sp.sympify(entry).free_symbols for entry in follow[body.velocity])
+        ]
+        if bodies:
+            name = parameter.symbol.name.removesuffix("_ratio")
+            others = [
+                coordinate
+                for column, coordinate in enumerate(condensed.names)
+                if any(follow[body][column] for body in bodies)
+            ]
+            what = (
+                f"changes at run time, but couples the inertias of {', '.join(dict.fromkeys(bodies))} rigidly to "
+                f"{', '.join(others)}"
+            )
+            remedy = "put a shaft on one side of the gearbox, with no inertia between the two, or remove ratio_range"
+            if first == "machines":
+                remedy = "name the shaft beside the gearbox in reduction.keep, or the inertia in reduction.drop"
+            problems.append(Problem(f"components.{name}.ratio_range", what, remedy))
+    if problems:
+        raise ModelError(problems)
+
+
+def _twists(
+    springs: Sequence[Spring], rows: sp.Matrix, changing: set[sp.Symbol], is_static: bool
+) -> tuple[tuple[str, ...], sp.Matrix, sp.Matrix]:
     """Return names, rows ``E`` and the combination ``L`` with ``spring rows = L E``.
 
     A row is scaled so that its first coefficient is 1 in size: then the twist of a condensed chain is that
-    between its ends, (5.5) of the source.
+    between its ends, (5.5) of the source. Coefficients that change with a ratio cannot be scaled to 1, because the
+    twist is the integral of the row; but where velocities were condensed (`is_static`) the source takes the equivalent
+    stiffness across a changing ratio as constant over time, (5.44)-(5.46), and the twist as that between the ends.
     """
     independent = exact.independent_rows(rows)
     names, scaled = [], []
     for index in independent:
         row = rows[index, :]
-        leading = next(entry for entry in row if entry != 0)
+        steady = [entry for entry in row if entry != 0 and not entry.free_symbols & changing]
+        first = next(entry for entry in row if entry != 0) if is_static else sp.Integer(1)
+        leading = next(iter(steady), first)
         factor = sp.Integer(1) if leading.is_Integer else sp.cancel(1 / leading)
         scaled.append(exact.canonical(row * factor))
         names.append(springs[index].name)
@@ -147,7 +184,8 @@ def _model(mechanism: Mechanism, condensed: _Condensed, fixed: tuple[sp.Symbol, 
     body_rows = rows([{body.velocity: sp.Integer(1)} for body in mechanism.bodies])
     inertias = sp.diag(*[body.inertia for body in mechanism.bodies])
     spring_rows = rows([spring.row for spring in mechanism.springs])
-    twists, E, L = _twists(mechanism.springs, spring_rows)
+    changing = {parameter.symbol for parameter in mechanism.changing}
+    twists, E, L = _twists(mechanism.springs, spring_rows, changing, condensed.is_static)
     linear = [sp.Integer(0 if spring.backlash is not None else 1) for spring in mechanism.springs]
     c = sp.diag(*[spring.stiffness * factor for spring, factor in zip(mechanism.springs, linear, strict=True)])
     d = sp.diag(*[spring.damping * factor for spring, factor in zip(mechanism.springs, linear, strict=True)])

@@ -8,6 +8,7 @@ from typing import Literal
 
 import sympy as sp
 
+from ptgen.errors import ModelError, Problem
 from ptgen.mechanism import exact
 from ptgen.mechanism.mechanism import Mechanism
 
@@ -31,14 +32,25 @@ def with_exact_loops(mechanism: Mechanism, first: First) -> tuple[Mechanism, tup
     Over independent symbols a loop of gears would be locked, or would let velocities differ that are the same; it
     moves because its ratios agree as numbers. So the ratios stand as numbers as soon as they make a row of the
     constraints, or a velocity that would become a coordinate, depend on those before it.
+
+    Raises
+    ------
+    ModelError
+        If a ratio of such a loop changes at run time.
     """
     constraint_rows = _constraint_rows(mechanism)
     symbols = sorted(constraint_rows.free_symbols, key=lambda symbol: symbol.name)
     exact_values = {symbol: sp.Rational(str(mechanism.values[symbol])) for symbol in symbols}
     candidates, _ = _candidates(mechanism, first)
     rows = exact.stack([constraint_rows, *(row for _, row in candidates)], len(mechanism.velocities))
-    if not symbols or exact.independent_rows(rows) == exact.independent_rows(rows.subs(exact_values)):
+    independent = exact.independent_rows(rows.subs(exact_values))
+    if not symbols or exact.independent_rows(rows) == independent:
         return mechanism, ()
+    changing = {parameter.symbol for parameter in mechanism.changing}
+    symbols = [symbol for symbol in symbols if symbol not in changing]
+    exact_values = {symbol: exact_values[symbol] for symbol in symbols}
+    if exact.independent_rows(rows.subs(exact_values)) != independent:
+        raise _changing_loop(mechanism)
     constraints = tuple(
         replace(
             constraint,
@@ -47,6 +59,19 @@ def with_exact_loops(mechanism: Mechanism, first: First) -> tuple[Mechanism, tup
         for constraint in mechanism.constraints
     )
     return replace(mechanism, constraints=constraints), tuple(symbols)
+
+
+def _changing_loop(mechanism: Mechanism) -> ModelError:
+    return ModelError(
+        [
+            Problem(
+                f"components.{parameter.symbol.name.removesuffix('_ratio')}.ratio_range",
+                "stands in a rigid loop, which only turns as long as its ratios agree",
+                "put a shaft into the loop, or remove ratio_range",
+            )
+            for parameter in mechanism.changing
+        ]
+    )
 
 
 def _constraint_rows(mechanism: Mechanism) -> sp.Matrix:
@@ -75,9 +100,32 @@ def _candidates(mechanism: Mechanism, first: First) -> tuple[list[tuple[str, sp.
 
 
 def choose_coordinates(mechanism: Mechanism, first: First) -> Coordinates:
-    """Choose coordinates greedily: friction velocities if they come first, machines, bodies, then the rest."""
-    constraint_rows = _constraint_rows(mechanism)
+    """Choose coordinates greedily: friction velocities if they come first, machines, bodies, then the rest.
+
+    Friction velocities that depend on a changing ratio come after the bodies: whenever there are coordinates in which
+    no body's row depends on a changing ratio, then these are such ones.
+
+    Notes
+    -----
+    Let ``R(i)`` be the rows of the bodies over coordinates that are velocities of bodies themselves, some rows being
+    unit rows ``I``, the rest ``C(i)``. In other coordinates they are ``R(i) T(i)``; if that is constant, so is
+    ``I T(i)``, and then ``C(i)``.
+    """
     candidates, bearing_inertia = _candidates(mechanism, first)
+    changing = {parameter.symbol for parameter in mechanism.changing}
+    if changing and first == "frictions":
+        count = len(mechanism.frictions)
+        frictions, bodies, rest = candidates[:count], candidates[count:bearing_inertia], candidates[bearing_inertia:]
+        over_bodies = _chosen(mechanism, bodies + frictions + rest, bearing_inertia).S
+        varies = [bool((row * over_bodies).free_symbols & changing) for _, row in frictions]
+        steady = [item for item, late in zip(frictions, varies, strict=True) if not late]
+        moved = [item for item, late in zip(frictions, varies, strict=True) if late]
+        candidates = steady + bodies + moved + rest
+    return _chosen(mechanism, candidates, bearing_inertia)
+
+
+def _chosen(mechanism: Mechanism, candidates: Sequence[tuple[str, sp.Matrix]], bearing_inertia: int) -> Coordinates:
+    constraint_rows = _constraint_rows(mechanism)
     rows = exact.stack([constraint_rows, *(row for _, row in candidates)], len(mechanism.velocities))
     independent = exact.independent_rows(rows)
     fixed = constraint_rows.shape[0]

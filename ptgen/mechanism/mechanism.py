@@ -108,6 +108,11 @@ class Mechanism:
         return {parameter.symbol: parameter.value for parameter in self.parameters}
 
     @property
+    def changing(self) -> tuple[Parameter, ...]:
+        """The parameters that change while the bed runs: ratios that are inputs of plant and controller."""
+        return tuple(parameter for parameter in self.parameters if parameter.span is not None)
+
+    @property
     def machine_velocities(self) -> tuple[str, ...]:
         """Velocities of the rotors, in the order of the machines."""
         return tuple(next(iter(torque.row)) for torque in self.torques)

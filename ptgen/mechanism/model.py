@@ -139,6 +139,15 @@ class Model:
         return {parameter.symbol: parameter.value for parameter in self.parameters}
 
     @property
+    def changing(self) -> tuple[Parameter, ...]:
+        """The parameters that change while the bed runs: ratios that are inputs of plant and controller.
+
+        The matrices of the model hold at every moment. No row of a body depends on them, so ``S' M dS/dt z`` vanishes,
+        and `mass` is constant; ``E`` and ``G`` may depend on them.
+        """
+        return tuple(parameter for parameter in self.parameters if parameter.span is not None)
+
+    @property
     def viscous(self) -> sp.Matrix:
         """Viscous friction coefficients as a diagonal matrix (n_f, n_f)."""
         return sp.diag(*[friction.linear_viscous for friction in self.frictions]) if self.frictions else sp.zeros(0, 0)
