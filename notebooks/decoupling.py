@@ -508,7 +508,7 @@ check("5.76 natural stiffness", c_geared, rename(design.stiffness[0], three_name
 # nothing of the slip-limiting torque.
 
 # %%
-U_v, U_x, U_T = design.state_law
+U_v, U_x, U_T = design.state_law.v, design.state_law.x, design.state_law.T
 closed = rename(design.system.A + design.system.B * U_x, three_names).applyfunc(sp.cancel)
 driven = rename(design.system.B * U_v, three_names).applyfunc(sp.cancel)
 seen = [design.model.without_acceleration(design.model.signals[name]) for name in design.outputs]
@@ -547,7 +547,7 @@ printed_7_16 = [(T1 - c_direct * dphi) / Im1, (at_outputs[0] + T2) / Im2, (at_ou
 check("7.16", printed_7_16, rates(direct.model, direct_names, [T1, T2, T3], [rho * T_dsl_sensor], direct_states))
 check("7.16", spread, (rename(direct.model.twist_rows, direct_names) * sp.Matrix([w1, w2, w3]))[0])
 printed_7_17 = [u1 - d_des * spread + Im1 * i_d / 2 * (u2 / Im2 + u3 / Im3), u2 - at_outputs[0], u3 - at_outputs[1]]
-U_v, U_x, U_T = (rename(part, direct_names) for part in direct.state_law)
+U_v, U_x, U_T = (rename(part, direct_names) for part in (direct.state_law.v, direct.state_law.x, direct.state_law.T))
 from_states = U_v * sp.Matrix([u1, u2, u3]) + U_x * sp.Matrix(direct_states) + U_T * sp.Matrix([rho * T_dsl_sensor])
 check("7.17", printed_7_17, list(from_states))
 check(

@@ -1,14 +1,14 @@
-"""Input-output decoupling with active damping, from measured signals only (source Section 5.4).
+"""Control laws from measured signals only: input-output decoupling, or individual feedback (source Section 5.4, 6.3).
 
 Desired dynamics: a controlled speed becomes ``1 / (I_m s)`` (5.49), (5.70); a controlled torque keeps the natural
-stiffness that its machine sees and gets the damping that is asked for (5.57), (5.76), so that the twist drops out
-of the law. Then all that is left of states and disturbances is written as a combination of sensors, the machine's
-own ones first; the unknown friction torque of the unit under test drops out with it (5.74).
+stiffness that its machine sees and gets the damping that is asked for (5.57), (5.76), so that for a single torque the
+twist drops out of the law. Then all that is left of states and disturbances is written as a combination of sensors,
+the machine's own ones first; the unknown friction torque of the unit under test drops out with it (5.74).
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -16,16 +16,21 @@ import scipy.linalg
 import sympy as sp
 from numpy.typing import NDArray
 
-from ptgen.control import findings
+from ptgen.control import advice, findings
+from ptgen.control.individual_law import individual_law
+from ptgen.control.known_losses import loss_element, with_known_losses
 from ptgen.control.lie import AffineSystem, OutputChain, affine_system, derivatives
-from ptgen.control.measured_law import Law, measured_law
+from ptgen.control.measured_law import Law, complete_law, decoupling_rows
+from ptgen.control.sensor_rows import SensorRows
+from ptgen.control.state_law import StateLaw, Wishes, decoupling_state_law
 from ptgen.elements import SensorKind
 from ptgen.errors import ControlError
 from ptgen.mechanism import exact
 from ptgen.mechanism.abbreviation import abbreviate
+from ptgen.mechanism.assembly import assemble
 from ptgen.mechanism.model import LinearForm, Model, evaluate_matrix
 from ptgen.mechanism.reduction import ReducedModel
-from ptgen.testbed.testbed import Roles
+from ptgen.testbed.testbed import Roles, Structure
 
 __all__ = ["Decoupling", "decouple"]
 
@@ -36,6 +41,10 @@ class Decoupling:
 
     Attributes
     ----------
+    structure : {"decoupling", "individual"}
+        Whether the machines work together, or each one for its own quantity.
+    findings : tuple of str
+        What stands in the way of decoupling, if the structure is individual.
     machines : tuple of str (m)
         Machines in the order of the inputs.
     outputs : tuple of str (m)
@@ -54,6 +63,7 @@ class Decoupling:
     internal_eigenvalues : ndarray
         Eigenvalues of the internal dynamics (5.41); empty for maximum relative degree.
     law : Law
+    state_law : StateLaw
     damping, inertia_estimate : tuple of Symbol
         Tunable damping (N m s/rad) and inertia (kg m^2) of each torque-controlled machine.
     stiffness : tuple of Expr
@@ -63,6 +73,8 @@ class Decoupling:
         What the stiffnesses of equivalent shafts stand for.
     """
 
+    structure: Structure
+    findings: tuple[str, ...]
     machines: tuple[str, ...]
     outputs: tuple[str, ...]
     actuators: tuple[int, ...]
@@ -74,7 +86,7 @@ class Decoupling:
     matrix: sp.Matrix
     internal_eigenvalues: NDArray[np.complex128]
     law: Law
-    state_law: tuple[sp.Matrix, sp.Matrix, sp.Matrix]
+    state_law: StateLaw
     damping: tuple[sp.Symbol, ...]
     inertia_estimate: tuple[sp.Symbol, ...]
     stiffness: tuple[sp.Expr, ...]
@@ -83,89 +95,116 @@ class Decoupling:
 
     @property
     def relative_degrees(self) -> tuple[int, ...]:
-        """Relative degree of each output (5.35)."""
+        """Relative degree of each output (5.24); together the vector relative degree (5.35) if `matrix` is regular."""
         return tuple(chain.relative_degree or 0 for chain in self.chains)
 
     @property
     def internal_order(self) -> int:
-        """Order of the internal dynamics, N minus the total relative degree (5.36)."""
-        return self.system.order - sum(self.relative_degrees)
+        """Order of the internal dynamics, N minus the total relative degree (5.36); 0 if there is no such degree."""
+        return self.system.order - sum(self.relative_degrees) if self.structure == "decoupling" else 0
 
     def law_expressions(self) -> dict[str, sp.Expr]:
-        """Return the law of each machine over ``v_<machine>`` and the sensors, like (5.74) and (5.78)."""
+        """Return the law of each machine over ``v_<machine>`` and the sensors, like (5.74) and (5.78).
+
+        The rate of a ratio that changes is ``<ratio>_rate``, a known loss torque ``<component>_loss``.
+        """
         virtual = sp.Matrix([sp.Symbol(f"v_{self.machines[machine]}") for machine in self.actuators])
         measured = sp.Matrix([sp.Symbol(sensor) for sensor in self.sensors])
+        losses = sp.Matrix([sp.Symbol(f"{loss.component}_loss") for loss in self.law.known_losses])
         rows = self.law.P * virtual + self.law.R * measured
+        if losses:
+            rows += self.law.R_losses * losses
+        for ratio, share in self.law.ratio_rates.items():
+            rows += share * measured * sp.Symbol(f"{ratio}_rate")
         return {name: _by_terms(rows[index]) for index, name in enumerate(self.machines)}
 
 
-def decouple(reduced: ReducedModel, roles: Roles) -> Decoupling:
-    """Design the decoupling law for the roles of the machines.
+def decouple(
+    reduced: ReducedModel, roles: Roles, structure: Structure = "decoupling", losses: Sequence[str] = ()
+) -> Decoupling:
+    """Design the control law for the roles of the machines.
+
+    Parameters
+    ----------
+    reduced : ReducedModel
+    roles : Roles
+    structure : {"decoupling", "individual"}
+    losses : sequence of str
+        Flanges on which a loss torque acts that is known as a function of the speed, such as ``"gearbox2.input"``.
 
     Raises
     ------
     ControlError
         If the decoupling matrix is singular, if internal dynamics are not asymptotically stable, or if no
-        combination of sensors gives a state that the law needs. The error names the cause, and other roles
-        that would work.
+        combination of sensors gives a state that the law needs. The error names the cause, and roles, locked
+        friction elements or sensors that would work.
 
     References
     ----------
-    Source (5.23)-(5.41), (5.52), (5.62), (5.74), (5.75), (5.78).
+    Source (5.23)-(5.41), (5.52), (5.62), (5.74), (5.75), (5.78); Section 6.3.
     """
-    machines = tuple(torque.name for torque in reduced.model.inputs)
     try:
-        return _decouple(reduced, roles, machines)
+        return _decouple(reduced, roles, structure, losses)
     except ControlError as error:
 
-        def works(other: Roles) -> bool:
+        def works(other: ReducedModel, chosen: Roles, how: Structure) -> bool:
             try:
-                _decouple(reduced, other, machines)
+                _decouple(other, chosen, how, losses)
             except ControlError:
                 return False
             return True
 
-        raise findings.with_advice(error, machines, roles, works) from None
+        raise advice.with_advice(error, reduced, roles, structure, works) from None
 
 
-def _decouple(reduced: ReducedModel, roles: Roles, machines: tuple[str, ...]) -> Decoupling:
+def _decouple(reduced: ReducedModel, roles: Roles, structure: Structure, losses: Sequence[str]) -> Decoupling:
+    machines = tuple(torque.name for torque in reduced.model.inputs)
+    known = tuple(loss_element(flange) for flange in losses)
+    model = assemble(with_known_losses(reduced.mechanism, losses), first="machines") if losses else reduced.model
     actuators = tuple(machines.index(name) for name in (*roles.torque, *roles.speed))
     torque_count = len(roles.torque)
-    short = abbreviate(reduced.model)
+    short = abbreviate(model)
     estimates, model, values = _with_inertia_estimates(short.model, machines, actuators[:torque_count])
     forms = _output_forms(model, roles)
     system = affine_system(model)
-    chains = tuple(derivatives(system, name, form) for name, form in forms.items())
+    rates = {
+        parameter.symbol: sp.Symbol(f"{parameter.symbol.name}_rate") for parameter in getattr(model, "changing", ())
+    }
+    chains = tuple(derivatives(system, name, form, rates) for name, form in forms.items())
     matrix = exact.stack([chain.input_row for chain in chains], len(machines))
     findings.check_degrees(chains, roles)
-    findings.check_regular(matrix, values, model, torque_count)
-    damping = tuple(sp.Symbol(f"{name}_damping", nonnegative=True) for name in roles.torque)
-    stiffness = _natural_stiffness(system, chains, actuators, torque_count, estimates)
-    state_law = _state_law(
-        system,
-        chains,
-        matrix,
-        actuators,
-        torque_count,
-        damping,
-        estimates,
-        stiffness,
-        _rotors(model),
-        tuple(form.f for form in forms.values()),
+    singular = findings.singular_matrix(matrix, values, model, tuple(forms)[:torque_count])
+    wishes = Wishes(
+        torque_count=torque_count,
+        actuators=actuators,
+        rotors=tuple(model.body_inertias[next(iter(torque.row))] for torque in model.inputs),
+        estimates=estimates,
+        damping=tuple(sp.Symbol(f"{name}_damping", nonnegative=True) for name in roles.torque),
+        stiffness=tuple(_natural_stiffness(model, machine) for machine in actuators[:torque_count]),
+        feedthrough=tuple(form.f for form in forms.values()),
     )
-    table = {**values, **dict.fromkeys(damping, 1.0)}
-    eigenvalues = _internal_eigenvalues(system, model, chains, state_law, table, reduced.equivalent_damping)
-    findings.check_internal(eigenvalues, _swinging(reduced), model, torque_count)
-    sensors = tuple(sensor.name for sensor in model.sensors)
-    law = measured_law(
-        reduced.original, model, chains, state_law, forms, actuators, torque_count, machines, _swinging(reduced)
-    )
+    table = {**values, **dict.fromkeys(wishes.damping, 1.0)}
+    rows = SensorRows(reduced.original, model, set(actuators[:torque_count]), known)
+    eigenvalues = np.zeros(0, dtype=np.complex128)
+    if structure == "decoupling":
+        if singular is not None:
+            raise singular
+        state_law = decoupling_state_law(system, chains, matrix, wishes, rates)
+        eigenvalues = _internal_eigenvalues(system, model, chains, state_law, table, reduced.equivalent_damping)
+        findings.check_internal(eigenvalues, _swinging(reduced), model, torque_count)
+        R = decoupling_rows(rows, state_law, _swinging(reduced))
+    else:
+        findings.check_uncontrolled_twists(model, torque_count)
+        state_law, R = individual_law(rows, system, forms, wishes, _swinging(reduced))
+    law = complete_law(rows, state_law, R, forms, torque_count, _swinging(reduced))
     return Decoupling(
+        structure=structure,
+        findings=() if singular is None else tuple(problem.what for problem in singular.problems),
         machines=machines,
         outputs=tuple(forms),
         actuators=actuators,
         torque_count=torque_count,
-        sensors=sensors,
+        sensors=rows.sensors,
         model=model,
         system=system,
         chains=chains,
@@ -173,9 +212,9 @@ def _decouple(reduced: ReducedModel, roles: Roles, machines: tuple[str, ...]) ->
         internal_eigenvalues=eigenvalues,
         law=law,
         state_law=state_law,
-        damping=damping,
+        damping=wishes.damping,
         inertia_estimate=estimates,
-        stiffness=stiffness,
+        stiffness=wishes.stiffness,
         values=values,
         definitions={**reduced.definitions, **short.definitions},
     )
@@ -205,71 +244,17 @@ def _output_forms(model: Model, roles: Roles) -> dict[str, LinearForm]:
     return forms
 
 
-def _rotors(model: Model) -> tuple[sp.Expr, ...]:
-    """Return the inertia of each rotor alone."""
-    return tuple(model.body_inertias[next(iter(torque.row))] for torque in model.inputs)
-
-
-def _natural_stiffness(
-    system: AffineSystem,
-    chains: tuple[OutputChain, ...],
-    actuators: tuple[int, ...],
-    torque_count: int,
-    estimates: tuple[sp.Symbol, ...],
-) -> tuple[sp.Expr, ...]:
-    """Return the stiffness that each torque-controlled machine sees while the other machines stand.
-
-    With only its own machine moving, the second derivative of the torque is ``-(c / I) y``.
-    """
-    result = []
-    for index in range(torque_count):
-        chain, machine = chains[index], actuators[index]
-        own = system.A.copy()
-        for other in range(len(actuators)):
-            if other != machine:
-                own[other, :] = sp.zeros(1, system.order)
-        row = chain.rows[0]
-        second = row * own * own
-        pivot = next(k for k, entry in enumerate(row) if entry != 0)
-        result.append(sp.cancel(-second[pivot] / row[pivot] * estimates[index]))
-    return tuple(result)
-
-
-def _state_law(
-    system: AffineSystem,
-    chains: tuple[OutputChain, ...],
-    matrix: sp.Matrix,
-    actuators: tuple[int, ...],
-    torque_count: int,
-    damping: tuple[sp.Symbol, ...],
-    estimates: tuple[sp.Symbol, ...],
-    stiffness: tuple[sp.Expr, ...],
-    rotors: tuple[sp.Expr, ...],
-    feedthrough: tuple[sp.Matrix, ...],
-) -> tuple[sp.Matrix, sp.Matrix, sp.Matrix]:
-    """Solve ``D u = w - L_a^delta c`` (5.31), (5.34) for ``u = U_v v + U_x x + U_T T``."""
-    m, n, n_f = len(chains), system.order, system.F.shape[1]
-    want_v, want_x, want_T = sp.zeros(m, m), sp.zeros(m, n), sp.zeros(m, n_f)
-    for index, chain in enumerate(chains):
-        if index < torque_count:
-            a0 = stiffness[index] / estimates[index]
-            a1 = damping[index] / estimates[index]
-            want_v[index, index] = a0
-            want_x[index, :] = -a0 * chain.rows[0] - a1 * chain.rows[1]
-            want_T[index, :] = -a0 * feedthrough[index]
-        else:
-            want_v[index, index] = 1 / rotors[actuators[index]]
-    drift = exact.stack([chain.rows[-1] for chain in chains], n)
-    disturbance = exact.stack([chain.disturbance_row for chain in chains], n_f)
-    solved = exact.solve(matrix, sp.Matrix.hstack(want_v, want_x - drift, want_T - disturbance))
-    return solved[:, :m], solved[:, m : m + n], solved[:, m + n :]
+def _natural_stiffness(model: Model, machine: int) -> sp.Expr:
+    """Return the stiffness that a machine sees while the other machines stand (N m/rad), as in (5.57) and (5.76)."""
+    row = model.twist_rows[:, machine]
+    return sp.factor(exact.canonical(row.T * model.stiffness * row)[0])
 
 
 def _internal_eigenvalues(
     system: AffineSystem,
     model: Model,
     chains: tuple[OutputChain, ...],
-    state_law: tuple[sp.Matrix, sp.Matrix, sp.Matrix],
+    state_law: StateLaw,
     table: dict[sp.Symbol, float],
     damping: NDArray[np.float64],
 ) -> NDArray[np.complex128]:
@@ -282,7 +267,7 @@ def _internal_eigenvalues(
     hidden = scipy.linalg.null_space(xi / np.linalg.norm(xi, axis=1, keepdims=True))
     if hidden.shape[1] == 0:
         return np.zeros(0, dtype=np.complex128)
-    closed = evaluate_matrix(system.A, table) + evaluate_matrix(system.B, table) @ evaluate_matrix(state_law[1], table)
+    closed = evaluate_matrix(system.A, table) + evaluate_matrix(system.B, table) @ evaluate_matrix(state_law.x, table)
     E, mass = evaluate_matrix(model.twist_rows, table), evaluate_matrix(model.mass, table)
     n_z = len(model.coordinates)
     closed[:n_z, :n_z] -= np.linalg.solve(mass, E.T @ damping @ E)

@@ -31,7 +31,7 @@ def design_control(testbed: Testbed, full: Model, reduced: ReducedModel) -> Cont
     ControlError
         See `decouple`.
     """
-    decoupling = decouple(reduced, testbed.roles)
+    decoupling = decouple(reduced, testbed.roles, testbed.tuning.structure)
     tuned = gains(decoupling, full, testbed.tuning, reduced.modes_before)
     block = controller_block(decoupling, tuned, testbed.tuning, full, testbed.sample_time)
     return ControlDesign(decoupling, tuned, block)

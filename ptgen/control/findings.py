@@ -1,10 +1,8 @@
-"""What can stand in the way of a decoupling law, explained, with roles that would work."""
+"""What can stand in the way of a control law, explained."""
 
 from __future__ import annotations
 
-import itertools
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 import sympy as sp
@@ -16,7 +14,14 @@ from ptgen.errors import ControlError, Problem, nearest
 from ptgen.mechanism.model import Model, evaluate_matrix
 from ptgen.testbed.testbed import Roles
 
-__all__ = ["check_degrees", "check_internal", "check_places", "check_regular", "unmeasured", "with_advice"]
+__all__ = [
+    "check_degrees",
+    "check_internal",
+    "check_places",
+    "check_uncontrolled_twists",
+    "singular_matrix",
+    "unmeasured",
+]
 
 _SINGULAR = 1e-9
 
@@ -66,26 +71,50 @@ def _fewer_torques(torques: int, model: Model) -> str:
     return "let fewer machines control torques, and more control speeds"
 
 
-def check_regular(matrix: sp.Matrix, values: Mapping[sp.Symbol, float], model: Model, torques: int) -> None:
-    """Raise if the decoupling matrix is singular."""
-    twists = len(model.twists)
+def singular_matrix(
+    matrix: sp.Matrix, values: Mapping[sp.Symbol, float], model: Model, places: Sequence[str]
+) -> ControlError | None:
+    """Return the error for a singular decoupling matrix, None if the matrix is regular.
+
+    Parameters
+    ----------
+    matrix : Matrix (m, m)
+        The decoupling matrix (5.29).
+    values : mapping of Symbol to float
+    model : Model
+    places : sequence of str
+        Where torques are controlled.
+    """
+    torques, twists = len(places), len(model.twists)
     if _is_regular(evaluate_matrix(matrix, values)):
-        return
+        return None
     if torques > twists:
+        hang = f"the torques at {_listed(places)} hang" if torques > 1 else f"the torque at {places[0]} hangs"
         cause = (
-            f"{torques} machines control torques, but all torques hang on {twists} twist"
-            f"{'s' if twists != 1 else ''} of the reduced bed; with an open or slipping differential both of its "
-            "outputs carry the same torque up to friction"
+            f"{torques} machines control torques, but {hang} on {twists} twist{'s' if twists != 1 else ''} of the "
+            "reduced bed; with an open or slipping differential both outputs carry the same torque up to friction"
         )
     else:
         cause = "the machines that control torques cannot change these torques independently of the speeds"
-    raise ControlError(
-        Problem(
-            "control",
-            f"the decoupling matrix is singular: {cause}",
-            _fewer_torques(torques, model),
-        )
+    what = f"the decoupling matrix is singular: {cause}"
+    return ControlError(Problem("control", what, _fewer_torques(torques, model)))
+
+
+def check_uncontrolled_twists(model: Model, torques: int) -> None:
+    """Raise if fewer torques are controlled than there are twists: the others would wind up."""
+    twists = len(model.twists)
+    if torques >= twists:
+        return
+    what = (
+        f"{torques} torque{'s are' if torques != 1 else ' is'} controlled, but the reduced bed has {twists} "
+        f"independent twist{'s' if twists != 1 else ''} ({_listed(model.twists)}); what nobody controls winds up "
+        "when the speed references do not agree exactly"
     )
+    raise ControlError(Problem("control", what, _fewer_torques(torques, model)))
+
+
+def _listed(names: Sequence[str]) -> str:
+    return ", ".join(names[:-1]) + (" and " if len(names) > 1 else "") + names[-1]
 
 
 def check_internal(eigenvalues: NDArray[np.complex128], swinging: Sequence[str], model: Model, torques: int) -> None:
@@ -100,9 +129,11 @@ def check_internal(eigenvalues: NDArray[np.complex128], swinging: Sequence[str],
     if not unstable:
         return
     shown = ", ".join(f"{value.real:.3g}{value.imag:+.3g}j" for value in unstable)
+    twists = f" ({_listed(model.twists)})" if len(model.twists) > torques else ""
     what = (
         f"{len(eigenvalues)} states stay behind the controlled quantities (internal dynamics) and are not "
-        f"asymptotically stable: eigenvalues {shown} 1/s; they would wind up or oscillate unseen"
+        f"asymptotically stable: eigenvalues {shown} 1/s; they would wind up or oscillate unseen: "
+        f"{torques} torque{'s' if torques != 1 else ''} for {len(model.twists)} twists{twists}"
     )
     remedy = _fewer_torques(torques, model)
     if any(abs(value.imag) > 0 for value in unstable) and swinging:
@@ -132,38 +163,3 @@ def _is_regular(matrix: NDArray[np.float64]) -> bool:
     if not np.all(norms > 0):
         return False
     return bool(np.linalg.svd(matrix / norms[:, None], compute_uv=False)[-1] > _SINGULAR)
-
-
-def with_advice(
-    error: ControlError, machines: Sequence[str], roles: Roles, works: Callable[[Roles], bool]
-) -> ControlError:
-    """Return the error with a remedy that names roles that would work.
-
-    Parameters
-    ----------
-    error : ControlError
-    machines : sequence of str
-    roles : Roles
-        The roles that do not work.
-    works : callable
-        Tells whether other roles give a law.
-    """
-    found = list(itertools.islice((text for text in _candidates(machines, roles) if works(text[0])), 3))
-    if not found:
-        return error
-    remedy = "roles that would work: " + "; ".join(text for _, text in found)
-    return ControlError([replace(problem, remedy=remedy) for problem in error.problems])
-
-
-def _candidates(machines: Sequence[str], roles: Roles) -> Iterator[tuple[Roles, str]]:
-    """Yield the other assignments of the same places, then those with fewer torques."""
-    places = list(roles.torque.values())
-    for count in range(len(places), 0, -1):
-        for chosen in itertools.combinations(places, count):
-            for torque_machines in itertools.permutations(machines, count):
-                torque = dict(zip(torque_machines, chosen, strict=True))
-                speed = tuple(name for name in machines if name not in torque)
-                candidate = Roles(torque=torque, speed=speed)
-                if candidate != roles:
-                    text = ", ".join(f'{machine} = "{place}"' for machine, place in torque.items())
-                    yield candidate, f"torque {{ {text} }} with speed [{', '.join(speed)}]"

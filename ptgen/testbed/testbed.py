@@ -4,14 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Annotated
+from typing import Annotated, Literal
 
 from pydantic import Field, field_validator
 
 from ptgen.components.component import Component, Quantity, Record
 from ptgen.elements import Friction
 
-__all__ = ["Connection", "ReductionSettings", "Roles", "Testbed", "Tuning"]
+__all__ = ["Connection", "ReductionSettings", "Roles", "Structure", "Testbed", "Tuning"]
+
+Structure = Literal["decoupling", "individual"]
+"""Whether the machines are decoupled from each other, or each one works for its own quantity with active damping."""
 
 
 @dataclass(frozen=True)
@@ -34,6 +37,8 @@ class Tuning(Record):
     A bandwidth is written as ``"30 rad/s"`` or as ``"5 Hz"``.
     """
 
+    structure: Structure = "decoupling"
+    """Decoupling of all controlled quantities, or individual feedback with active damping, where that is impossible."""
     speed_bandwidth: Annotated[float, Quantity("rad/s", "bandwidth of the speed control")] = 30.0
     torque_bandwidth: Annotated[float, Quantity("rad/s", "bandwidth of the torque control")] = 20.0
     damping_ratio: Annotated[float, Quantity("", "wanted damping ratio of the torque poles (5.81)")] = 1.0

@@ -88,7 +88,7 @@ def test_laws_are_blind_to_the_twist(projects: dict[str, Project]) -> None:
     """(5.57), (5.76): with the natural stiffness the torque machine's law needs no twist and no friction."""
     for name in ("back_to_back", "differential", "differential_gearboxes"):
         decoupling = projects[name].design.decoupling
-        _, of_x, of_T = decoupling.state_law
+        of_x, of_T = decoupling.state_law.x, decoupling.state_law.T
         n_z = len(decoupling.model.coordinates)
         own = decoupling.actuators[0]
         assert is_zero(of_x[own, n_z:])
@@ -113,7 +113,7 @@ def test_short_names_have_the_value_of_what_they_stand_for(project: Project) -> 
 def test_closed_loop_is_diagonal_symbolically(projects: dict[str, Project]) -> None:
     """(5.58), (5.49) from the law over states, for every value of every parameter."""
     decoupling = projects["differential"].design.decoupling
-    of_v, of_x, of_T = decoupling.state_law
+    of_v, of_x, of_T = decoupling.state_law.v, decoupling.state_law.x, decoupling.state_law.T
     system, p = decoupling.system, symbols(decoupling)
     s = sp.Symbol("s")
     A = (system.A + system.B * of_x).applyfunc(sp.cancel)

@@ -21,7 +21,7 @@ def coupling_by_sample_time(steps: list[float]) -> list[tuple[float, float]]:
     design = Project.read(BED).design.decoupling
     values = {**design.values, **dict(zip(design.damping, [260.0], strict=True))}
     A, B = evaluate_matrix(design.system.A, values), evaluate_matrix(design.system.B, values)
-    U_v, U_x = (evaluate_matrix(part, values) for part in design.state_law[:2])
+    U_v, U_x = (evaluate_matrix(part, values) for part in (design.state_law.v, design.state_law.x))
     speed = evaluate_matrix(design.chains[1].rows[0], values)[0]
     result = []
     for h in steps:
