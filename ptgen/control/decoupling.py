@@ -167,9 +167,7 @@ def _decouple(reduced: ReducedModel, roles: Roles, structure: Structure, losses:
     estimates, model, values = _with_inertia_estimates(short.model, machines, actuators[:torque_count])
     forms = _output_forms(model, roles)
     system = affine_system(model)
-    rates = {
-        parameter.symbol: sp.Symbol(f"{parameter.symbol.name}_rate") for parameter in getattr(model, "changing", ())
-    }
+    rates = {parameter.symbol: sp.Symbol(f"{parameter.symbol.name}_rate") for parameter in model.changing}
     chains = tuple(derivatives(system, name, form, rates) for name, form in forms.items())
     matrix = exact.stack([chain.input_row for chain in chains], len(machines))
     findings.check_degrees(chains, roles)
