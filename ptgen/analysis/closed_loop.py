@@ -78,11 +78,13 @@ def closed_loop_matrix(
     x = ca.vertcat(states["controller"], states["plant"])
     x_next = ca.vertcat(next_controller, next_plant)
     jacobian = ca.Function("jacobian", [x], [ca.jacobian(x_next, x)])
+    follow = ca.Function("follow", [x], [x_next])
     start = [
         value for block in (controller, plant) for signal in block.states for value in [signal.value] * signal.size
     ]
     names = CasadiBlock.names(controller.states) + CasadiBlock.names(plant.states)
-    return np.array(jacobian(start).full(), dtype=np.float64), names
+    # After a step at rest: the first one starts references, observers and integrators, and is no part of the loop.
+    return np.array(jacobian(follow(start)).full(), dtype=np.float64), names
 
 
 def closed_loop_poles(

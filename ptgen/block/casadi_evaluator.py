@@ -27,6 +27,7 @@ _ARITHMETIC = Arithmetic(
     sine=ca.sin,
     floor=ca.floor,
     sign=ca.sign,
+    root=ca.sqrt,
     both=ca.logic_and,
     either=ca.logic_or,
     negate=ca.logic_not,

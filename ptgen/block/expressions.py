@@ -30,6 +30,7 @@ class Arithmetic:
     sine: Callable[[Any], Any]
     floor: Callable[[Any], Any]
     sign: Callable[[Any], Any]
+    root: Callable[[Any], Any]
     both: Callable[[Any, Any], Any]
     either: Callable[[Any, Any], Any]
     negate: Callable[[Any], Any]
@@ -72,6 +73,8 @@ def evaluate(expression: Any, table: Mapping[str, Any], arithmetic: Arithmetic) 
             if exponent.is_Integer:
                 power = functools.reduce(operator.mul, [base] * abs(int(exponent)))
                 return power if exponent > 0 else 1.0 / power
+            if exponent == sp.Rational(1, 2):
+                return arithmetic.root(base)
             return base ** float(exponent)
         if isinstance(node, sp.Piecewise):
             value = visit(arguments[-1][0])

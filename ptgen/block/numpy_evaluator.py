@@ -26,6 +26,7 @@ _ARITHMETIC = Arithmetic(
     sine=np.sin,
     floor=np.floor,
     sign=np.sign,
+    root=np.sqrt,
     both=np.logical_and,
     either=np.logical_or,
     negate=np.logical_not,
@@ -71,6 +72,8 @@ class NumpyBlock:
         table |= {signal.name: np.zeros(batch + signal.shape) for signal in self.block.arrays + self.block.outputs}
         self._run("step", table)
         self._run("measure", table)
+        for signal in self.block.states + self.block.outputs:  # what follows from parameters alone has no batch yet
+            table[signal.name] = np.broadcast_to(table[signal.name], batch + signal.shape)
         return self._pick(table)
 
     def measure(self, parameters: Mapping[str, Array], derived: Mapping[str, Array], states: Values) -> Values:

@@ -25,13 +25,21 @@ import sympy as sp
 
 from ptgen.block.block import Block
 from ptgen.control.decoupling import Decoupling
-from ptgen.control.speed_control import limit, speed_control
+from ptgen.control.envelope import envelope
+from ptgen.control.references import pair_bounds, reference_inputs, speed_references
+from ptgen.control.speed_control import speed_control
 from ptgen.control.supervision import release, supervise
-from ptgen.control.torque_control import torque_control, unread_torque
+from ptgen.control.switches import follow
+from ptgen.control.torque_control import (
+    TorqueFeedback,
+    active_damping,
+    torque_command,
+    torque_feedback,
+    unread_torque,
+)
 from ptgen.control.tuning import Gains
 from ptgen.control.writer import ControllerWriter
 from ptgen.mechanism.model import Model
-from ptgen.plant.layout import signal_name
 from ptgen.testbed.testbed import Tuning
 
 __all__ = ["ControllerBlock", "controller_block"]
@@ -68,28 +76,46 @@ def controller_block(
     speed_machines = decoupling.actuators[decoupling.torque_count :]
     h = w.parameter("sample_time", "s", "step of the controller", sample_time, allowed=False)
     w.parameter("fault_ramp", "s", "time from a fault to zero torque", tuning.fault_ramp, allowed=False)
-    references = _references(decoupling)
+    references = reference_inputs(decoupling, tuning)
+    w.plausible |= pair_bounds(w)
     measured = supervise(w, [*references.values(), *_used_sensors(w)])
-    load = w.parameter("load_compensation", "", "switch of the load torque compensation, 0 to 1", 1.0, most=1.0)
-    accelerate = w.parameter("acceleration_torque", "", "switch of the acceleration torque, 0 to 1", 1.0, most=1.0)
-    limits = {machine: limit(w, machine, measured) for machine in range(len(decoupling.machines))}
-    virtual: dict[int, sp.Expr] = {}
+    w.parameter("load_compensation", "", "switch of the load torque compensation, 0 to 1", 1.0, most=1.0)
+    w.parameter("acceleration_torque", "", "switch of the acceleration torque, 0 to 1", 1.0, most=1.0)
+    load = follow(w, "load_compensation")
+    accelerate = follow(w, "acceleration_torque").now if torque_machines else sp.Integer(1)
+    dampings = {}
+    for machine, symbol in zip(torque_machines, decoupling.damping, strict=True):
+        name = decoupling.machines[machine]
+        w.parameter(symbol.name, "N m s/rad", f"active damping by {name} (5.81)", gains.damping[name])
+        dampings[symbol] = follow(w, symbol.name, "N m s/rad").now
+    envelopes = {machine: envelope(w, machine, measured) for machine in range(len(decoupling.machines))}
+    wanted_speeds = speed_references(w, measured)
+    net: dict[int, sp.Symbol] = {}
     commands: dict[int, sp.Symbol] = {}
     for position, machine in enumerate(speed_machines, start=decoupling.torque_count):
-        compensation = load * w.sensor_sum(law.R[machine, :], measured)
-        virtual[position], commands[machine] = speed_control(
-            w, machine, position, compensation, limits[machine], measured, h
+        name = decoupling.machines[machine]
+        compensation = w.sensor_sum(f"{name}_load", law.R[machine, :], measured)
+        result = speed_control(
+            w, machine, position, load, compensation, envelopes[machine], wanted_speeds[name], measured
         )
+        commands[machine], net[position] = result.command, result.net
+    feedback: dict[int, TorqueFeedback] = {}
     for index, machine in enumerate(torque_machines):
-        read = w.sensor_sum(law.estimate_sensors[index, :], measured)
-        unread = w.virtual_sum(law.estimate_virtual[index, :], virtual) + unread_torque(w, machine, virtual)
-        others = law.P[machine, :].copy()
-        others[index] = sp.Integer(0)
-        acceleration = accelerate * w.virtual_sum(others, virtual)
-        commands[machine] = torque_control(
-            w, index, machine, read + load * unread, acceleration, limits[machine], measured, h
+        name = decoupling.machines[machine]
+        estimate = (
+            w.sensor_sum(f"{name}_read", law.estimate_sensors[index, :], measured)
+            + w.virtual_sum(f"{name}_read", law.estimate_virtual[index, :], net)
+            + unread_torque(w, machine, net)
         )
+        feedback[index] = torque_feedback(w, index, machine, estimate, measured)
+    asked = {index: part.virtual for index, part in feedback.items()}
+    for index, machine in enumerate(torque_machines):
+        name, row = decoupling.machines[machine], law.P[machine, :]
+        wanted = w.virtual_sum(f"{name}_share", row, asked) + accelerate * w.virtual_sum(f"{name}_with", row, net)
+        damping = active_damping(w, machine, dampings, measured)
+        commands[machine] = torque_command(w, index, machine, feedback[index], wanted, damping, envelopes[machine])
     outputs = release(w, commands, h)
+    w.start_anew_after_faults()
     block = Block(
         name="controller",
         description=f"controller of the bed {decoupling.model.name}",
@@ -97,6 +123,8 @@ def controller_block(
         inputs=tuple(w.inputs.values()),
         outputs=outputs,
         states=tuple(w.states.values()),
+        derived=tuple(w.derived.values()),
+        prepare=tuple(w.preparation),
         step=tuple(w.statements),
         faults=(*w.inputs, *(signal.name for signal in outputs)),
     )
@@ -125,15 +153,3 @@ def _conventional(design: Decoupling, gains: Gains) -> dict[str, float]:
         values[f"{name}_torque_model"] = 0.0
         values[f"{name}_torque_integral_gain"] = gains.conventional_integral[name]
     return values
-
-
-def _references(design: Decoupling) -> dict[str, str]:
-    """Return the input of each reference of a scenario."""
-    result = {}
-    for position, machine in enumerate(design.actuators):
-        name = design.machines[machine]
-        if position < design.torque_count:
-            result[f"torque.{name}"] = signal_name(design.outputs[position]) + "_ref"
-        else:
-            result[f"speed.{name}"] = f"{name}_speed_ref"
-    return result

@@ -7,7 +7,7 @@ import scipy.linalg
 
 from ptgen.mechanism.model import LinearForm, Model, evaluate_matrix
 
-__all__ = ["plausible_speed", "plausible_torque"]
+__all__ = ["largest_torque", "plausible_speed", "plausible_torque"]
 
 SPEED_FACTOR = 1.5
 TORQUE_FACTOR = 5.0
@@ -20,10 +20,14 @@ def plausible_speed(model: Model, machine: str) -> float:
 
 
 def plausible_torque(model: Model, form: LinearForm) -> float:
-    """Return the torque (N m) above which a signal is a fault.
+    """Return the torque (N m) above which a signal is a fault: a multiple of the largest static one."""
+    return float(f"{TORQUE_FACTOR * largest_torque(model, form):.3g}")
 
-    It is a multiple of the largest static torque that a single machine can cause there while all the others stand;
-    gear ratios between the machine and the place come in by themselves.
+
+def largest_torque(model: Model, form: LinearForm) -> float:
+    """Return the largest static torque (N m) that a single machine can cause in a signal while all others stand.
+
+    Gear ratios between the machine and the place come in by themselves.
     """
     numeric = model.numeric()
     values = model.values
@@ -40,4 +44,4 @@ def plausible_torque(model: Model, form: LinearForm) -> float:
         largest = max(largest, gain * values[torque.drive.torque_max])
     # A shaft that is all but rigid has no static twist to speak of; the machines' own torque is the least bound.
     strongest = max(values[torque.drive.torque_max] for torque in model.inputs)
-    return float(f"{TORQUE_FACTOR * max(largest, 0.01 * strongest):.3g}")
+    return max(largest, 0.01 * strongest)

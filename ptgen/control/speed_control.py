@@ -1,56 +1,90 @@
-"""Speed control of a machine: PI, load torque compensation, limits, anti-windup."""
+"""Speed control of a machine: the controller that was chosen, load torque compensation, limits, net torque."""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
 import sympy as sp
 
+from ptgen.control.envelope import Envelope
+from ptgen.control.observer_control import observer_control
+from ptgen.control.pi_control import pi_control
+from ptgen.control.speed_law import SpeedLaw
+from ptgen.control.super_twisting import super_twisting
+from ptgen.control.switches import Switch
 from ptgen.control.writer import ControllerWriter
+from ptgen.testbed.feedback import SpeedControlName
 
-__all__ = ["limit", "speed_control"]
+__all__ = ["SPEED_CONTROLS", "SpeedCommand", "speed_control"]
+
+SPEED_CONTROLS: Mapping[SpeedControlName, Callable[[ControllerWriter, str, sp.Expr, sp.Expr, sp.Expr], SpeedLaw]] = {
+    "pi": pi_control,
+    "observer": observer_control,
+    "super_twisting": super_twisting,
+}
+"""What begins each kind of speed control."""
 
 
-def limit(w: ControllerWriter, machine: int, measured: dict[str, sp.Symbol]) -> sp.Symbol:
-    """Return the torque that is available to a machine at its speed."""
-    name, drive = w.design.machines[machine], w.design.model.inputs[machine].drive
-    rated = w.of_bed(drive.speed_rated)
-    speed = measured[w.speed_sensor(machine)]
-    available = w.of_bed(drive.torque_max) * rated / sp.Max(rated, sp.Abs(speed))
-    return w.assign(f"{name}_available", available, "torque-speed envelope, Figure 7.1")
+@dataclass(frozen=True)
+class SpeedCommand:
+    """Torque command of a speed-controlled machine, and the net torque on its rotor that follows from it (N m)."""
+
+    command: sp.Symbol
+    net: sp.Expr
 
 
 def speed_control(
     w: ControllerWriter,
     machine: int,
     position: int,
+    switch: Switch,
     compensation: sp.Expr,
-    limit: sp.Symbol,
-    measured: dict[str, sp.Symbol],
-    h: sp.Symbol,
-) -> tuple[sp.Expr, sp.Symbol]:
-    """Return what the torque limit leaves of the controller output, and the torque command (5.84), (5.52), (5.74)."""
-    name = w.design.machines[machine]
-    gain = w.parameter(
-        f"{name}_speed_gain",
-        "N m s/rad",
-        f"proportional gain of the speed of {name}",
-        w.gains.speed[name],
-        allowed=False,
+    envelope: Envelope,
+    reference: sp.Expr,
+    measured: Mapping[str, sp.Symbol],
+) -> SpeedCommand:
+    r"""Write the speed control of a machine (5.84), (5.92), (5.52), (5.74).
+
+    The net torque on the rotor, :math:`I_m \dot\omega_m`, is what the acceleration torque of the torque-controlled
+    machines is computed from. It is known from command and sensors whatever the load torque compensation is set to:
+    with the switch at zero it is not what the controller asks for, but that less the load.
+
+    Parameters
+    ----------
+    w : ControllerWriter
+    machine, position : int
+        The machine among the machines, and its output among the outputs.
+    switch : Switch
+        Of the load torque compensation.
+    compensation : Expr
+        The whole of it (N m).
+    envelope : Envelope
+    reference : Expr
+        Speed reference (rad/s).
+    measured : mapping
+    """
+    name, law = w.design.machines[machine], w.design.law
+    gain = w.gains.speed[name]
+    w.parameter(f"{name}_speed_gain", "N m s/rad", f"proportional gain of the speed of {name}", gain, allowed=False)
+    share = w.coefficient(
+        f"{name}_share", f"share of its virtual input in the torque of {name}", law.P[machine, position]
     )
-    integral_gain = w.parameter(
-        f"{name}_speed_integral_gain",
-        "N m/rad",
-        f"integral gain of the speed of {name}",
-        w.gains.speed_integral[name],
+    inverse = w.coefficient(f"{name}_per_torque", "virtual input per torque", 1 / law.P[machine, position])
+    speed = measured[w.speed_sensor(machine)]
+    error = w.assign(f"{name}_speed_error", reference - speed)
+    full = w.assign(f"{name}_compensation", compensation, "load torque compensation (5.52), (5.74)")
+    given = w.assign(
+        f"{name}_given_away", (switch.before - switch.now) * full * inverse, "so that a switch does not jump"
     )
-    integral = w.state(f"{name}_speed_integral", "N m", f"integrator of the speed control of {name}")
-    error = w.assign(f"{name}_speed_error", measured[f"{name}_speed_ref"] - measured[w.speed_sensor(machine)])
-    asked = w.assign(f"{name}_asked", gain * error + integral, "PI speed control (5.84)")
-    compensate = w.assign(f"{name}_compensation", compensation, "load torque compensation (5.52), (5.74)")
-    share = w.of_bed(sp.factor(w.design.law.P[machine, position]))
+    controller = SPEED_CONTROLS[w.tuning.speed_control_of(name)](w, name, error, speed, given)
+    compensate = switch.now * full
     command = w.assign(
-        f"{name}_command", sp.Max(-limit, sp.Min(limit, share * asked + compensate)), "torque-speed envelope"
+        f"{name}_command", envelope.clamp(share * controller.asked + compensate), "torque-speed envelope"
     )
-    realised = w.assign(f"{name}_virtual", (command - compensate) / share, "what the limit leaves of it")
-    conditioned = error + (realised - asked) / gain
-    w.assign(integral.name, integral + h * integral_gain * conditioned, "conditioning anti-windup")
-    return realised, command
+    realised = w.assign(f"{name}_virtual", (command - compensate) * inverse, "what the limit leaves of it")
+    controller.finish(realised)
+    net = (command - full) * inverse  # with the whole compensation the law is the balance of the rotor
+    if w.design.torque_count:
+        net = w.assign(f"{name}_net", net, "net torque on the rotor")
+    return SpeedCommand(command, net)

@@ -35,6 +35,8 @@ def supervise(w: ControllerWriter, names: list[str]) -> dict[str, sp.Symbol]:
 
 
 def _plausible(w: ControllerWriter, name: str) -> float:
+    if name in w.plausible:
+        return w.plausible[name]
     for machine in w.design.machines:
         if name in (f"{machine}_speed_ref", f"{machine}_speed"):
             return plausible_speed(w.full, machine)

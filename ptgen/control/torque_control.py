@@ -2,29 +2,34 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import dataclass
+
 import sympy as sp
 
+from ptgen.control.envelope import Envelope
+from ptgen.control.references import limited
 from ptgen.control.writer import ControllerWriter, signal_symbol
 from ptgen.mechanism.model import evaluate_matrix
 from ptgen.plant.layout import signal_name
 
-__all__ = ["torque_control", "unread_torque"]
+__all__ = ["TorqueFeedback", "active_damping", "torque_command", "torque_feedback", "unread_torque"]
 
 
-def torque_control(
-    w: ControllerWriter,
-    index: int,
-    machine: int,
-    estimate: sp.Expr,
-    decoupling: sp.Expr,
-    limit: sp.Symbol,
-    measured: dict[str, sp.Symbol],
-    h: sp.Symbol,
-) -> sp.Symbol:
-    """Return the torque command (5.99), (5.62), (5.78)."""
+@dataclass(frozen=True)
+class TorqueFeedback:
+    """What feedforward and feedback of a controlled torque ask for: virtual input and error (N m)."""
+
+    virtual: sp.Symbol
+    error: sp.Symbol
+
+
+def torque_feedback(
+    w: ControllerWriter, index: int, machine: int, estimate: sp.Expr, measured: Mapping[str, sp.Symbol]
+) -> TorqueFeedback:
+    """Write the I or PI control of a torque (5.99)."""
     design, name = w.design, w.design.machines[machine]
     place = signal_name(design.outputs[index])
-    w.parameter(f"{name}_damping", "N m s/rad", f"active damping by {name} (5.81)", w.gains.damping[name])
     w.parameter(
         f"{name}_inertia_estimate",
         "kg m^2",
@@ -35,7 +40,68 @@ def torque_control(
     feedforward = w.parameter(
         f"{name}_feedforward", "", f"share of the torque reference fed forward to {name}", w.tuning.feedforward
     )
-    proportional = w.parameter(f"{name}_torque_gain", "", f"proportional gain of the torque control of {name}", 0.0)
+    proportional = w.parameter(
+        f"{name}_torque_gain",
+        "",
+        f"proportional gain of the torque control of {name}, above -1 (5.115a)",
+        w.tuning.torque_gain,
+        least=-1.0,
+        allowed=False,
+    )
+    torque = w.assign(f"{place}_estimate", estimate, "testing torque from the sensors (5.95), (5.96), (5.98)")
+    signal = f"{place}_ref"
+    reference = limited(w, signal, "N m", measured[signal], torque, w.gains.torque_rate[name])
+    expected = _expected_torque(w, name, reference, torque)
+    error = w.assign(f"{name}_torque_error", expected - torque)
+    integral = w.state(f"{name}_torque_integral", "N m", f"integrator of the torque control of {name}")
+    before = w.assign(f"{name}_integral_before", w.previous(integral, sp.Integer(0)), "torque control (5.99)")
+    virtual = w.assign(f"{name}_virtual", feedforward * reference + proportional * error + before)
+    return TorqueFeedback(virtual, error)
+
+
+def active_damping(
+    w: ControllerWriter, machine: int, dampings: Mapping[sp.Symbol, sp.Symbol], measured: Mapping[str, sp.Symbol]
+) -> sp.Symbol:
+    """Write what the law adds from the sensors: active damping, and torques that would couple the outputs.
+
+    Parameters
+    ----------
+    w : ControllerWriter
+    machine : int
+    dampings : mapping
+        Symbol of each damping in the law -> its value in this step.
+    measured : mapping
+    """
+    name, row = w.design.machines[machine], w.design.law.R[machine, :]
+    rest = row.subs(dict.fromkeys(dampings, 0))
+    torque = w.sensor_sum(f"{name}_from", rest, measured)
+    for symbol, now in dampings.items():
+        rates = row.diff(symbol)
+        if any(entry != 0 for entry in rates):
+            twist = w.assign(
+                f"{name}_twist_rate_{symbol.name.removesuffix('_damping')}",
+                w.sensor_sum(f"{name}_twist", rates, measured),
+                "active damping (5.62), (5.78)",
+            )
+            torque += now * twist
+    return w.assign(f"{name}_damping_torque", torque, "active damping (5.62), (5.78)")
+
+
+def torque_command(
+    w: ControllerWriter,
+    index: int,
+    machine: int,
+    feedback: TorqueFeedback,
+    wanted: sp.Expr,
+    damping: sp.Expr,
+    envelope: Envelope,
+) -> sp.Symbol:
+    """Write limits and integrator of a torque-controlled machine; return its command (5.62), (5.78).
+
+    Reference, feedback and acceleration torque together leave a share of the envelope to the damping, so that neither
+    they nor a speed controller that asks for a large acceleration can use up what keeps the shaft from ringing.
+    """
+    design, name = w.design, w.design.machines[machine]
     integral_gain = w.parameter(
         f"{name}_torque_integral_gain",
         "1/s",
@@ -55,51 +121,44 @@ def torque_control(
         f"limit of the torque integrator of {name}",
         _integral_limit(w, index, machine),
     )
-    integral = w.state(f"{name}_torque_integral", "N m", f"integrator of the torque control of {name}")
-    torque = w.assign(f"{place}_estimate", estimate, "testing torque from the sensors (5.95), (5.98)")
-    reference = measured[f"{place}_ref"]
-    expected = _expected_torque(w, name, reference, h)
-    error = w.assign(f"{name}_torque_error", expected - torque)
-    share = w.of_bed(sp.factor(design.law.P[machine, index]))
-    virtual = w.assign(
-        f"{name}_virtual", feedforward * reference + proportional * error + integral, "torque control (5.99)"
+    growth = w.derive(
+        f"{name}_torque_growth", "", "growth of the integrator per error", signal_symbol("sample_time") * integral_gain
     )
-    wanted = w.assign(f"{name}_wanted", share * virtual + decoupling, "with the acceleration torque (5.62), (5.78)")
-    room = (1 - reserve) * limit
-    kept = w.assign(f"{name}_kept", sp.Max(-room, sp.Min(room, wanted)), "reserve for active damping")
-    row = w.design.law.R[machine, :]
-    damp = w.assign(f"{name}_damping_torque", w.sensor_sum(row, measured), "active damping (5.62), (5.78)")
-    command = w.assign(f"{name}_command", sp.Max(-limit, sp.Min(limit, kept + damp)), "torque-speed envelope")
+    share = w.coefficient(f"{name}_share", f"share of its virtual input in {name}", design.law.P[machine, index])
+    before = signal_symbol(f"{name}_integral_before")
+    asked = w.assign(f"{name}_wanted", wanted, "with the acceleration torque (5.62), (5.78)")
+    kept = w.assign(f"{name}_kept", envelope.clamp(asked, 1 - reserve), "reserve for active damping")
+    command = w.assign(f"{name}_command", envelope.clamp(kept + damping), "torque-speed envelope")
     # The integrator stands while the machine is at its limit and the error would drive it further.
-    beyond = (wanted - kept) * error * share
-    grown = integral + h * integral_gain * error
-    limited = sp.Max(-bound, sp.Min(bound, grown))
-    w.assign(integral.name, sp.Piecewise((integral, beyond > 0), (limited, True)), "limited integrator")
+    beyond = (asked - kept) * feedback.error * share
+    limited_integral = sp.Max(-bound, sp.Min(bound, before + growth * feedback.error))
+    w.assign(
+        f"{name}_torque_integral",
+        sp.Piecewise((before, beyond > 0), (limited_integral, True)),
+        "limited integrator",
+    )
     return command
 
 
-def unread_torque(w: ControllerWriter, machine: int, virtual: dict[int, sp.Expr]) -> sp.Expr:
+def unread_torque(w: ControllerWriter, machine: int, net: Mapping[int, sp.Symbol]) -> sp.Expr:
     """Return the torque that accelerates what lies between the sensors and the place of the testing torque."""
     name = w.design.machines[machine]
     terms = []
-    for position, value in virtual.items():
+    for position, value in net.items():
         other = w.design.machines[w.design.actuators[position]]
-        inertia = w.gains.sensor_inertia[name][other]
         symbol = w.parameter(
             f"{name}_sensor_inertia_{other}",
             "kg m^2",
             f"torque of {name} that its sensors miss, per acceleration of {other}",
-            inertia,
+            w.gains.sensor_inertia[name][other],
             None,
         )
-        rotor = w.of_bed(
-            w.design.model.body_inertias[next(iter(w.design.model.inputs[w.design.actuators[position]].row))]
-        )
-        terms.append(symbol * value / rotor)
+        per_torque = w.derive(f"{name}_unread_{other}", "", "the same per net torque", symbol / w.rotor(other))
+        terms.append(per_torque * value)
     return sp.Add(*terms)
 
 
-def _expected_torque(w: ControllerWriter, name: str, reference: sp.Symbol, h: sp.Symbol) -> sp.Expr:
+def _expected_torque(w: ControllerWriter, name: str, reference: sp.Symbol, start: sp.Expr) -> sp.Expr:
     """Return the torque that the feedforward alone should give by now: the reference behind (5.57).
 
     The controller corrects what differs from it. Against the bare reference the integrator would charge during
@@ -113,11 +172,16 @@ def _expected_torque(w: ControllerWriter, name: str, reference: sp.Symbol, h: sp
         f"{name}_model_damping", "N m s/rad", f"damping in the torque model of {name}", w.gains.damping[name]
     )
     share = w.parameter(f"{name}_torque_model", "", f"switch of the torque model of {name}, 0 to 1", 1.0, most=1.0)
+    h, inertia = signal_symbol("sample_time"), signal_symbol(f"{name}_inertia_estimate")
+    pull = w.derive(f"{name}_model_pull", "1/s", "rate of the torque model per missing torque", h * c / inertia)
+    drag = w.derive(f"{name}_model_drag", "", "decay of that rate in a step", h * d / inertia)
     model = w.state(f"{name}_model_torque", "N m", f"torque that the feedforward to {name} should give")
     rate = w.state(f"{name}_model_rate", "N m/s", f"rate of the torque model of {name}")
-    force = c * (reference - model) - d * rate
-    w.assign(rate.name, rate + h * force / signal_symbol(f"{name}_inertia_estimate"), "torque model (5.57), (5.76)")
-    w.assign(model.name, model + h * rate)
+    source = "torque model (5.57), (5.76)"
+    expected = w.assign(f"{name}_model_before", w.previous(model, start), source)
+    moving = w.assign(f"{name}_rate_before", w.previous(rate, sp.Integer(0)), source)
+    w.assign(rate.name, moving + pull * (reference - expected) - drag * moving, source)
+    w.assign(model.name, expected + h * rate)
     return share * model + (1 - share) * reference
 
 

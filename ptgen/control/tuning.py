@@ -10,13 +10,33 @@ import sympy as sp
 from numpy.typing import NDArray
 
 from ptgen.control.decoupling import Decoupling
+from ptgen.control.plausibility import largest_torque
 from ptgen.mechanism.model import LinearForm, Model, evaluate_matrix
 from ptgen.mechanism.modes import Mode
 from ptgen.testbed.testbed import Tuning
 
-__all__ = ["Gains", "gains"]
+__all__ = ["Gains", "TwistingGains", "gains"]
 
 Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class TwistingGains:
+    """Gains of the super-twisting speed control, experimental.
+
+    Attributes
+    ----------
+    k1 : float
+        (N m (s/rad)^0.5)
+    k2 : float
+        (N m/s)
+    layer : float
+        Error (rad/s) below which it is linear.
+    """
+
+    k1: float
+    k2: float
+    layer: float
 
 
 @dataclass(frozen=True)
@@ -38,6 +58,14 @@ class Gains:
         to the torque read per acceleration of each speed-controlled machine; (5.97) for all parts of the bed.
     stiffness, natural_frequency : mapping of str to float
         What each torque-controlled machine swings against (N m/rad), and how fast (rad/s) (5.79).
+    observer_bandwidth : mapping of str to float
+        Bandwidth (rad/s) of the disturbance observer of each speed-controlled machine (5.88).
+    super_twisting : mapping of str to TwistingGains
+        Experimental; of each speed-controlled machine.
+    speed_rate : mapping of str to float
+        Largest rate (rad/s^2) of the speed reference of each speed-controlled machine.
+    torque_rate : mapping of str to float
+        Largest rate (N m/s) of the torque reference of each torque-controlled machine.
     """
 
     speed: Mapping[str, float]
@@ -49,6 +77,10 @@ class Gains:
     sensor_inertia: Mapping[str, Mapping[str, float]]
     stiffness: Mapping[str, float]
     natural_frequency: Mapping[str, float]
+    observer_bandwidth: Mapping[str, float]
+    super_twisting: Mapping[str, TwistingGains]
+    speed_rate: Mapping[str, float]
+    torque_rate: Mapping[str, float]
 
 
 def gains(decoupling: Decoupling, full: Model, tuning: Tuning, modes: tuple[Mode, ...]) -> Gains:
@@ -58,6 +90,14 @@ def gains(decoupling: Decoupling, full: Model, tuning: Tuning, modes: tuple[Mode
     pole at :math:`-\omega_b / 2`. Torque: the plant has gain one, so the integral gain is the bandwidth; without
     active damping it may not exceed :math:`\zeta \omega` of the mode, half of what makes the loop unstable.
     Damping: :math:`d = 2 \zeta \sqrt{c I}` (5.81).
+
+    Observer: a disturbance d moves the speed by :math:`-s d / (I_m s^2 + k_p s + k_i)` with the PI controller and by
+    :math:`-s d / ((s + \hat b)(I_m s + k_p))` with the P controller and its observer. Both are equal at low and at
+    high frequencies, and a step of d leaves the same area of error :math:`d / k_i`, if :math:`\hat b = k_i / k_p`;
+    with the gains above that is a quarter of the bandwidth.
+
+    Rates: a speed reference changes by ``torque_max / I_m`` at most, a torque reference by the largest static torque
+    at its place times the natural frequency (5.79); nothing that is faster could be followed.
 
     Parameters
     ----------
@@ -85,6 +125,8 @@ def gains(decoupling: Decoupling, full: Model, tuning: Tuning, modes: tuple[Mode
     conventional = tuning.conventional_torque_bandwidth or min(float(weak), tuning.torque_bandwidth)
     wanted = tuning.speed_bandwidth
     inertia = {name: _rounded(inertia[name]) for name in torque_machines}
+    frequency = {name: float(np.sqrt(stiffness[name] / inertia[name])) for name in torque_machines}
+    drives = {torque.name: torque.drive for torque in full.inputs}
     return Gains(
         speed={name: _rounded(rotors[name] * wanted) for name in speed_machines},
         speed_integral={name: _rounded(rotors[name] * wanted**2 / 4) for name in speed_machines},
@@ -97,7 +139,35 @@ def gains(decoupling: Decoupling, full: Model, tuning: Tuning, modes: tuple[Mode
         inertia_estimate=inertia,
         sensor_inertia=_sensor_inertia(decoupling, full, steady, rotors),
         stiffness=stiffness,
-        natural_frequency={name: float(np.sqrt(stiffness[name] / inertia[name])) for name in torque_machines},
+        natural_frequency=frequency,
+        observer_bandwidth=dict.fromkeys(speed_machines, tuning.observer_bandwidth or _rounded(wanted / 4)),
+        super_twisting={
+            name: _twisting(rotors[name], wanted, full.values[drives[name].speed_rated]) for name in speed_machines
+        },
+        speed_rate={
+            name: tuning.speed_rate or _rounded(full.values[drives[name].torque_max] / rotors[name])
+            for name in speed_machines
+        },
+        torque_rate={
+            name: tuning.torque_rate or _rounded(largest_torque(full, full.signals[place]) * frequency[name])
+            for name, place in zip(torque_machines, decoupling.outputs, strict=False)
+        },
+    )
+
+
+def _twisting(rotor: float, bandwidth: float, speed_rated: float) -> TwistingGains:
+    r"""Return gains of the super-twisting control with the torque of the PI controller at 1 % of the rated speed.
+
+    With :math:`e_0` that error: :math:`k_1 = k_p \sqrt{e_0}`, and :math:`k_1 = 1.5 \sqrt L`, :math:`k_2 = 1.1 L` per
+    inertia, the usual choice for disturbances that change by less than L. The layer of :math:`e_0 / 16` makes it a PI
+    controller of four times the bandwidth for small errors.
+    """
+    size = 0.01 * speed_rated
+    bound = (bandwidth / 1.5) ** 2 * size
+    return TwistingGains(
+        k1=_rounded(rotor * bandwidth * float(np.sqrt(size))),
+        k2=_rounded(1.1 * rotor * bound),
+        layer=_rounded(size / 16),
     )
 
 

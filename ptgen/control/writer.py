@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import sympy as sp
 
 from ptgen.block.block import Assign, Signal, Statement
@@ -40,11 +42,22 @@ class ControllerWriter:
         self.states: dict[str, Signal] = {}
         self.inputs: dict[str, Signal] = {}
         self.statements: list[Statement] = []
+        self.derived: dict[str, Signal] = {}
+        self.preparation: list[Statement] = []
+        self.plausible: dict[str, float] = {}
+        """Largest plausible value of inputs that are no signals of the bed."""
+        self.run_time: dict[str, sp.Symbol] = {}
+        """What stands for symbols of the law that change while the controller runs: dampings and ratios."""
 
     def speed_sensor(self, machine: int) -> str:
         """Return the name of the sensor that measures the speed of a machine."""
         velocity = next(iter(self.design.model.inputs[machine].row))
         return next(s.name for s in self.design.model.sensors if s.kind is SensorKind.SPEED and s.of == velocity)
+
+    def rotor(self, name: str) -> sp.Expr:
+        """Return the inertia of a machine's rotor alone, over symbols of the block."""
+        torque = self.design.model.inputs[self.design.machines.index(name)]
+        return self.of_bed(self.design.model.body_inertias[next(iter(torque.row))])
 
     def parameter(
         self,
@@ -66,7 +79,9 @@ class ControllerWriter:
         known = {parameter.symbol: parameter for parameter in self.design.model.parameters}
         table = {}
         for symbol in sorted(expression.free_symbols, key=lambda s: s.name):
-            if symbol in known:
+            if symbol.name in self.run_time:
+                table[symbol] = self.run_time[symbol.name]
+            elif symbol in known:
                 p = known[symbol]
                 least = None if p.signed else 0.0
                 table[symbol] = self.parameter(symbol.name, p.unit, p.description, p.value, least, not p.positive)
@@ -84,16 +99,53 @@ class ControllerWriter:
         self.statements.append(Assign(target, expression, source))
         return signal_symbol(target)
 
-    def sensor_sum(self, row: sp.Matrix, measured: dict[str, sp.Symbol]) -> sp.Expr:
-        """Return a row over the sensors as an expression."""
+    def derive(self, name: str, unit: str, text: str, expression: sp.Expr) -> sp.Symbol:
+        """Declare a quantity that follows from the parameters alone, computed when they change, not in every step."""
+        if name not in self.derived:
+            self.derived[name] = Signal(name, unit, text)
+            self.preparation.append(Assign(name, expression))
+        return signal_symbol(name)
+
+    def coefficient(self, name: str, text: str, expression: sp.Expr) -> sp.Expr:
+        """Return an expression of the law over symbols of the block, prepared under `name` as far as it is constant."""
+        plain = self.of_bed(sp.factor(expression))
+        changing = set(self.run_time.values())
+        if plain.is_Atom or plain.free_symbols & changing:
+            return plain
+        if (-plain).is_Atom:
+            return plain
+        return self.derive(name, "", text, plain)
+
+    def sensor_sum(self, name: str, row: sp.Matrix, measured: Mapping[str, sp.Symbol]) -> sp.Expr:
+        """Return a row over the sensors as an expression; `name` begins the names of what is prepared."""
         terms = [
-            self.of_bed(sp.factor(row[k])) * measured[name] for k, name in enumerate(self.design.sensors) if row[k] != 0
+            self.coefficient(f"{name}_{sensor}", f"coefficient of {sensor}", row[k]) * measured[sensor]
+            for k, sensor in enumerate(self.design.sensors)
+            if row[k] != 0
         ]
         return sp.Add(*terms)
 
-    def virtual_sum(self, row: sp.Matrix, virtual: dict[int, sp.Expr]) -> sp.Expr:
+    def virtual_sum(self, name: str, row: sp.Matrix, virtual: Mapping[int, sp.Expr]) -> sp.Expr:
         """Return a row over the virtual inputs as an expression."""
+        machines = [self.design.machines[machine] for machine in self.design.actuators]
         terms = [
-            self.of_bed(sp.factor(row[position])) * value for position, value in virtual.items() if row[position] != 0
+            self.coefficient(f"{name}_{machines[k]}", f"coefficient of the virtual input of {machines[k]}", row[k]) * v
+            for k, v in virtual.items()
+            if row[k] != 0
         ]
         return sp.Add(*terms)
+
+    # -- the first step, and the first one after a fault
+
+    def previous(self, state: sp.Symbol, start: sp.Expr) -> sp.Expr:
+        """Return a state as the last step left it, or `start` if there was no such step."""
+        running = self.state("running", "", "1 once a step was done without a fault")
+        return sp.Piecewise((state, running > sp.Rational(1, 2)), (start, True))
+
+    def start_anew_after_faults(self) -> None:
+        """Let the next step start anew if this one ends with a fault."""
+        running = self.state("running", "", "1 once a step was done without a fault")
+        sound = signal_symbol("fault") < sp.Rational(1, 2)
+        self.assign(
+            running.name, sp.Piecewise((sp.Integer(1), sound), (sp.Integer(0), True)), "start anew after a fault"
+        )

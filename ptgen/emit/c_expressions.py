@@ -80,6 +80,8 @@ class CExpressions(C99CodePrinter):  # type: ignore[misc]
                 if exponent < -1
                 else f"{literal(1.0, self._precision)}/{factor}"
             )
+        if exponent == sp.Rational(1, 2):
+            return f"{self._prefix_name}_sqrt({self._print(base)})"
         return f"{self._prefix_name}_pow({self._print(base)}, {self._print(exponent)})"
 
     def _fold(self, function: str, arguments: Any) -> str:

@@ -10,7 +10,7 @@ from typing import Any
 from ptgen.components.catalogue import CATALOGUE
 from ptgen.components.component import Component
 from ptgen.errors import Problem, TestbedError, nearest
-from ptgen.testbed import loops, roles, topology
+from ptgen.testbed import feedback, loops, roles, topology
 from ptgen.testbed.chains import Chains, follow, split
 from ptgen.testbed.names import check_component_names, check_mangled, check_name
 from ptgen.testbed.problems import dotted, shown, validated
@@ -201,7 +201,7 @@ def _paths(table: Mapping[str, Any], prefix: str) -> list[str]:
 
 
 def _roles(tables: Mapping[str, Any], bed: roles.Bed) -> list[Problem]:
-    """Check the roles, and that inertia estimates are given for machines."""
+    """Check the roles, and the tables whose keys are machines or components."""
     problems: list[Problem] = []
     if not isinstance(tables.get("control"), dict):  # reported already, but a bed without machines is not
         no_machine = not bed.unreadable and not any(kind.is_machine for kind in bed.types.values())
@@ -213,11 +213,13 @@ def _roles(tables: Mapping[str, Any], bed: roles.Bed) -> list[Problem]:
     if isinstance(torque, dict) and all(isinstance(place, str) for place in torque.values()) and speed is not None:
         problems += roles.check(torque, speed, bed)
     machines = [name for name, kind in bed.types.items() if kind.is_machine]
-    estimates = _entry(tables, "control", "inertia_estimate")
-    for name in estimates if isinstance(estimates, dict) else ():
-        if name not in machines and name not in bed.unreadable:
-            where = dotted("control", "inertia_estimate", name)
-            problems.append(Problem(where, "is no machine of the bed", nearest(name, machines)))
+    for key, wanted, what in (
+        ("inertia_estimate", machines, "machine of the bed"),
+        ("speed_control", list(speed or ()), "machine that controls its speed"),
+        ("losses", [name for name in bed.types if name not in machines], "component that has losses"),
+    ):
+        problems += feedback.check_machines(key, _entry(tables, "control", key), wanted, what, bed.unreadable)
+    problems += feedback.check_pairs(_entry(tables, "control", "speed_pairs"), speed or (), list(bed.types))
     return problems
 
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from os import PathLike
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated
 
 from ptgen.components.component import Quantity, Record, Text
 from ptgen.errors import Problem, TestbedError, nearest
@@ -17,7 +17,7 @@ from ptgen.testbed.text import read_toml
 
 __all__ = ["Scenario", "ScenarioSection", "load_scenario"]
 
-_UNITS = {"torque": "N m", "speed": "rad/s"}
+_UNITS = {"torque": "N m", "speed": "rad/s", "speed_mean": "rad/s", "speed_difference": "rad/s"}
 
 _SHARE = Bounds(0.0, 1.0, "write 0 for open, 1 for the full capacity, or a share in between")
 
@@ -43,7 +43,8 @@ class Scenario:
     record_every : float
         Interval between two recorded instants (s), a multiple of the sampling time.
     references : mapping of str to Profile
-        ``"torque.M1"`` (N m) or ``"speed.M2"`` (rad/s) -> its course; one for each machine of the bed.
+        ``"torque.M1"`` (N m) or ``"speed.M2"`` (rad/s) -> its course; one for each machine of the bed. A pair of
+        speeds has ``"speed_mean.<pair>"`` and ``"speed_difference.<pair>"`` instead.
     actuations : mapping of str to Profile
         Name of an actuated friction element -> its actuation, 0 (open) to 1 (full capacity); a scenario that was read
         has one for each of them, and one that is not there stays open.
@@ -140,11 +141,8 @@ def _grid(section: ScenarioSection, sample_time: float) -> list[Problem]:
 
 
 def _references(table: object, testbed: Testbed, folder: Path) -> tuple[dict[str, Profile], list[Problem]]:
-    """Read ``[references]``; a machine without an entry gets a reference of zero."""
-    wanted: dict[str, tuple[Literal["torque", "speed"], str]] = {}
-    for machine in testbed.machines:
-        kind: Literal["torque", "speed"] = "torque" if machine in testbed.roles.torque else "speed"
-        wanted[f"{kind}.{machine}"] = (kind, machine)
+    """Read ``[references]``; what has no entry gets a reference of zero."""
+    wanted = _wanted(testbed)
     references = {key: Profile((0.0,), (0.0,), "lines") for key in wanted}
     if not isinstance(table, dict):
         remedy = 'write [references] with torque.M1 = { time = ["0 s"], value = ["0 N m"] }'
@@ -163,7 +161,7 @@ def _references(table: object, testbed: Testbed, folder: Path) -> tuple[dict[str
         for machine, entry in machines.items():
             key = f"{kind_name}.{machine}"
             if key not in wanted:
-                problems.append(_unwanted(kind_name, machine, testbed, list(wanted)))
+                problems.append(_unwanted(kind_name, machine, testbed, wanted))
                 continue
             profile, found = read_profile(entry, _UNITS[kind_name], folder, "references", kind_name, machine)
             problems += found
@@ -172,8 +170,28 @@ def _references(table: object, testbed: Testbed, folder: Path) -> tuple[dict[str
     return references, problems
 
 
+def _wanted(testbed: Testbed) -> list[str]:
+    """Return the references of a bed: of each machine, or of each pair its mean and its difference."""
+    paired = {machine for members in testbed.tuning.speed_pairs.values() for machine in members}
+    wanted = []
+    for machine in testbed.machines:
+        if machine not in paired:
+            wanted.append(f"{'torque' if machine in testbed.roles.torque else 'speed'}.{machine}")
+    for pair in testbed.tuning.speed_pairs:
+        wanted += [f"speed_mean.{pair}", f"speed_difference.{pair}"]
+    return wanted
+
+
 def _unwanted(kind: str, machine: str, testbed: Testbed, wanted: list[str]) -> Problem:
     where = dotted("references", kind, machine)
+    pairs = testbed.tuning.speed_pairs
+    pair = next((name for name, members in pairs.items() if machine in members), None)
+    if pair is not None:
+        what = f'the speed of "{machine}" is given by the pair "{pair}" of the bed "{testbed.name}"'
+        return Problem(where, what, f"write speed_mean.{pair} and speed_difference.{pair}")
+    if kind in ("speed_mean", "speed_difference"):
+        what = f'{shown(machine)} is no pair of speeds of the bed "{testbed.name}"'
+        return Problem(where, what, nearest(f"{kind}.{machine}", wanted))
     if machine in testbed.machines:
         other = "torque" if kind == "speed" else "speed"
         what = f'machine "{machine}" controls its {other} in the bed "{testbed.name}", not its {kind}'

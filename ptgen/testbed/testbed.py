@@ -10,6 +10,7 @@ from pydantic import Field, field_validator
 
 from ptgen.components.component import Component, Quantity, Record
 from ptgen.elements import Friction
+from ptgen.testbed.feedback import LossMap, SpeedControl, SpeedControlName
 
 __all__ = ["Connection", "ReductionSettings", "Roles", "Structure", "Testbed", "Tuning"]
 
@@ -54,14 +55,42 @@ class Tuning(Record):
     )
     """Inertias that the acceleration torque of a machine is computed with; by default they are derived."""
     damping_reserve: Annotated[
-        float, Quantity("", "share of torque_max that is reserved for active damping", positive=False)
+        float, Quantity("", "share of the available torque that is kept for active damping", positive=False)
     ] = 0.1
+    speed_control: SpeedControl = "pi"
+    """Of all machines, or a table machine = kind: "pi" (5.84), "observer" (5.92), experimental: "super_twisting"."""
+    observer_bandwidth: (
+        Annotated[float, Quantity("rad/s", "bandwidth of the disturbance observer of the speed control (5.88)")] | None
+    ) = None
+    torque_gain: Annotated[
+        float, Quantity("", "proportional gain of the torque control (5.99)", positive=False, signed=True)
+    ] = 0.0
+    switch_time: Annotated[float, Quantity("s", "time in which a switch or a damping follows a change")] = 0.5
+    speed_rate: Annotated[float, Quantity("rad/s^2", "largest rate of a speed reference")] | None = None
+    torque_rate: Annotated[float, Quantity("N m/s", "largest rate of a torque reference")] | None = None
+    speed_pairs: dict[str, tuple[str, ...]] = Field(default_factory=dict)
+    """Name = two machines whose speed references are given as mean and difference, such as rear = ["M2", "M3"]."""
+    losses: dict[str, LossMap] = Field(default_factory=dict)
+    """Known loss torques: for each component a table with its speeds and torques (5.96)."""
+
+    @field_validator("torque_gain")
+    @classmethod
+    def _above_minus_one(cls, value: float) -> float:
+        if value <= -1:
+            raise ValueError(f"must be above -1, got {value:g}; below, the torque loop has no stable gain (5.115a)")
+        return value
+
+    def speed_control_of(self, machine: str) -> SpeedControlName:
+        """Return the kind of the speed control of a machine."""
+        if isinstance(self.speed_control, str):
+            return self.speed_control
+        return self.speed_control.get(machine, "pi")
 
     @field_validator("damping_reserve")
     @classmethod
     def _share(cls, value: float) -> float:
         if value >= 1:
-            raise ValueError(f"must be below 1, got {value:g}; it is a share of torque_max")
+            raise ValueError(f"must be below 1, got {value:g}; it is a share of the available torque")
         return value
 
 

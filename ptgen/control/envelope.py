@@ -1,0 +1,55 @@
+r"""The torque that a machine may be asked for at its speed, Figure 7.1.
+
+Full torque up to the rated speed, constant power above (field weakening). Above ``speed_max`` no torque is left that
+would accelerate the machine further: it is taken back in a straight line and is zero at ``speed_max + speed_taper``.
+Torque that brakes stays available, so a machine that is driven beyond its speed can always be slowed down.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import sympy as sp
+
+from ptgen.control.writer import ControllerWriter
+
+__all__ = ["TAPER", "Envelope", "envelope"]
+
+TAPER = 0.05
+"""Share of the largest speed over which accelerating torque is taken back."""
+
+
+@dataclass(frozen=True)
+class Envelope:
+    """Least and largest torque (N m) of a machine in this step."""
+
+    least: sp.Symbol
+    most: sp.Symbol
+
+    def clamp(self, torque: sp.Expr, share: sp.Expr = sp.S.One) -> sp.Expr:
+        """Return `torque` within a share of the envelope."""
+        return sp.Max(share * self.least, sp.Min(share * self.most, torque))
+
+
+def envelope(w: ControllerWriter, machine: int, measured: Mapping[str, sp.Symbol]) -> Envelope:
+    """Return what is available to a machine at its measured speed."""
+    name, drive = w.design.machines[machine], w.design.model.inputs[machine].drive
+    rated, largest = w.of_bed(drive.speed_rated), w.of_bed(drive.speed_max)
+    width = w.parameter(
+        f"{name}_speed_taper",
+        "rad/s",
+        f"speed above {name}_speed_max over which accelerating torque is taken back",
+        float(f"{TAPER * w.design.values[drive.speed_max]:.6g}"),
+        allowed=False,
+    )
+    slope = w.derive(f"{name}_taper_slope", "s/rad", f"share of the torque of {name} per excess of speed", 1 / width)
+    end = w.derive(f"{name}_taper_end", "", "share at standstill if it were not limited", 1 + largest / width)
+    speed = measured[w.speed_sensor(machine)]
+    source = "torque-speed envelope, Figure 7.1"
+    available = w.assign(f"{name}_available", w.of_bed(drive.torque_max) * rated / sp.Max(rated, sp.Abs(speed)), source)
+    above, below = (sp.Max(0, sp.Min(1, end - sign * slope * speed)) for sign in (1, -1))
+    return Envelope(
+        least=w.assign(f"{name}_least", -available * below, source),
+        most=w.assign(f"{name}_most", available * above, source),
+    )
