@@ -20,24 +20,31 @@ const back_to_back_controller_params back_to_back_controller_defaults = {
     .M2_speed_plausible = 785.3981633974485,
     .load_compensation = 1.0,
     .acceleration_torque = 1.0,
+    .switch_time = 0.5,
+    .M1_damping = 754.702,
     .M1_speed_rated = 188.495559215388,
+    .M1_speed_max = 523.598775598299,
+    .M1_speed_taper = 26.1799,
     .M1_torque_max = 3050.0,
     .M2_speed_rated = 188.495559215388,
+    .M2_speed_max = 523.598775598299,
+    .M2_speed_taper = 26.1799,
     .M2_torque_max = 3050.0,
+    .M2_speed_ref_rate = 610.0,
     .M2_speed_gain = 150.0,
     .M2_speed_integral_gain = 1125.0,
     .M1_sensor_inertia_M2 = 0.0,
     .M2_inertia = 5.0,
-    .M1_damping = 754.702,
     .M1_inertia_estimate = 5.0,
     .M1_feedforward = 1.0,
     .M1_torque_gain = 0.0,
-    .M1_torque_integral_gain = 15.0,
-    .M1_damping_reserve = 0.1,
-    .M1_torque_integral_limit = 1520.0,
+    .flange1_torque_ref_rate = 230184.0,
     .M1_model_stiffness = 28478.7,
     .M1_model_damping = 754.702,
     .M1_torque_model = 1.0,
+    .M1_torque_integral_gain = 15.0,
+    .M1_damping_reserve = 0.1,
+    .M1_torque_integral_limit = 1520.0,
 };
 
 const back_to_back_controller_params back_to_back_controller_conventional = {
@@ -51,24 +58,31 @@ const back_to_back_controller_params back_to_back_controller_conventional = {
     .M2_speed_plausible = 785.3981633974485,
     .load_compensation = 0.0,
     .acceleration_torque = 0.0,
+    .switch_time = 0.5,
+    .M1_damping = 0.0,
     .M1_speed_rated = 188.495559215388,
+    .M1_speed_max = 523.598775598299,
+    .M1_speed_taper = 26.1799,
     .M1_torque_max = 3050.0,
     .M2_speed_rated = 188.495559215388,
+    .M2_speed_max = 523.598775598299,
+    .M2_speed_taper = 26.1799,
     .M2_torque_max = 3050.0,
+    .M2_speed_ref_rate = 610.0,
     .M2_speed_gain = 150.0,
     .M2_speed_integral_gain = 1125.0,
     .M1_sensor_inertia_M2 = 0.0,
     .M2_inertia = 5.0,
-    .M1_damping = 0.0,
     .M1_inertia_estimate = 5.0,
     .M1_feedforward = 1.0,
     .M1_torque_gain = 0.0,
-    .M1_torque_integral_gain = 1.44222,
-    .M1_damping_reserve = 0.1,
-    .M1_torque_integral_limit = 1520.0,
+    .flange1_torque_ref_rate = 230184.0,
     .M1_model_stiffness = 28478.7,
     .M1_model_damping = 754.702,
     .M1_torque_model = 0.0,
+    .M1_torque_integral_gain = 1.44222,
+    .M1_damping_reserve = 0.1,
+    .M1_torque_integral_limit = 1520.0,
 };
 
 /* Range of each parameter; `open` excludes the lower bound. The order is that of the status codes. */
@@ -90,24 +104,31 @@ static const struct {
     { "the parameter M2_speed_plausible is outside its range", offsetof(back_to_back_controller_params, M2_speed_plausible), 0.0, DBL_MAX, 1, 0 },
     { "the parameter load_compensation is outside its range", offsetof(back_to_back_controller_params, load_compensation), 0.0, 1.0, 0, 0 },
     { "the parameter acceleration_torque is outside its range", offsetof(back_to_back_controller_params, acceleration_torque), 0.0, 1.0, 0, 0 },
+    { "the parameter switch_time is outside its range", offsetof(back_to_back_controller_params, switch_time), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_damping is outside its range", offsetof(back_to_back_controller_params, M1_damping), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M1_speed_rated is outside its range", offsetof(back_to_back_controller_params, M1_speed_rated), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_speed_max is outside its range", offsetof(back_to_back_controller_params, M1_speed_max), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_speed_taper is outside its range", offsetof(back_to_back_controller_params, M1_speed_taper), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M1_torque_max is outside its range", offsetof(back_to_back_controller_params, M1_torque_max), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M2_speed_rated is outside its range", offsetof(back_to_back_controller_params, M2_speed_rated), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_speed_max is outside its range", offsetof(back_to_back_controller_params, M2_speed_max), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_speed_taper is outside its range", offsetof(back_to_back_controller_params, M2_speed_taper), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M2_torque_max is outside its range", offsetof(back_to_back_controller_params, M2_torque_max), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_speed_ref_rate is outside its range", offsetof(back_to_back_controller_params, M2_speed_ref_rate), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M2_speed_gain is outside its range", offsetof(back_to_back_controller_params, M2_speed_gain), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M2_speed_integral_gain is outside its range", offsetof(back_to_back_controller_params, M2_speed_integral_gain), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M1_sensor_inertia_M2 is outside its range", offsetof(back_to_back_controller_params, M1_sensor_inertia_M2), -DBL_MAX, DBL_MAX, 0, 0 },
     { "the parameter M2_inertia is outside its range", offsetof(back_to_back_controller_params, M2_inertia), 0.0, DBL_MAX, 1, 0 },
-    { "the parameter M1_damping is outside its range", offsetof(back_to_back_controller_params, M1_damping), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M1_inertia_estimate is outside its range", offsetof(back_to_back_controller_params, M1_inertia_estimate), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M1_feedforward is outside its range", offsetof(back_to_back_controller_params, M1_feedforward), 0.0, DBL_MAX, 0, 0 },
-    { "the parameter M1_torque_gain is outside its range", offsetof(back_to_back_controller_params, M1_torque_gain), 0.0, DBL_MAX, 0, 0 },
-    { "the parameter M1_torque_integral_gain is outside its range", offsetof(back_to_back_controller_params, M1_torque_integral_gain), 0.0, DBL_MAX, 0, 0 },
-    { "the parameter M1_damping_reserve is outside its range", offsetof(back_to_back_controller_params, M1_damping_reserve), 0.0, 1.0, 0, 0 },
-    { "the parameter M1_torque_integral_limit is outside its range", offsetof(back_to_back_controller_params, M1_torque_integral_limit), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter M1_torque_gain is outside its range", offsetof(back_to_back_controller_params, M1_torque_gain), -1.0, DBL_MAX, 1, 0 },
+    { "the parameter flange1_torque_ref_rate is outside its range", offsetof(back_to_back_controller_params, flange1_torque_ref_rate), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M1_model_stiffness is outside its range", offsetof(back_to_back_controller_params, M1_model_stiffness), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M1_model_damping is outside its range", offsetof(back_to_back_controller_params, M1_model_damping), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M1_torque_model is outside its range", offsetof(back_to_back_controller_params, M1_torque_model), 0.0, 1.0, 0, 0 },
+    { "the parameter M1_torque_integral_gain is outside its range", offsetof(back_to_back_controller_params, M1_torque_integral_gain), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter M1_damping_reserve is outside its range", offsetof(back_to_back_controller_params, M1_damping_reserve), 0.0, 1.0, 0, 0 },
+    { "the parameter M1_torque_integral_limit is outside its range", offsetof(back_to_back_controller_params, M1_torque_integral_limit), 0.0, DBL_MAX, 0, 0 },
 };
 
 enum { limit_count = sizeof limits / sizeof limits[0] };
@@ -161,7 +182,20 @@ back_to_back_controller_status back_to_back_controller_update(back_to_back_contr
             return (back_to_back_controller_status)(2000 + k);
         }
     }
-    (void)s;
+    s->switch_share = p->sample_time / p->switch_time;
+    s->M1_taper_slope = 1.0 / p->M1_speed_taper;
+    s->M1_taper_end = p->M1_speed_max / p->M1_speed_taper + 1.0;
+    s->M2_taper_slope = 1.0 / p->M2_speed_taper;
+    s->M2_taper_end = p->M2_speed_max / p->M2_speed_taper + 1.0;
+    s->M2_speed_ref_step = p->M2_speed_ref_rate * p->sample_time;
+    s->M2_speed_growth = p->M2_speed_integral_gain * p->sample_time;
+    s->M2_speed_conditioning = p->M2_speed_integral_gain * p->sample_time / p->M2_speed_gain;
+    s->M1_unread_M2 = p->M1_sensor_inertia_M2 / p->M2_inertia;
+    s->flange1_torque_ref_step = p->flange1_torque_ref_rate * p->sample_time;
+    s->M1_model_pull = p->M1_model_stiffness * p->sample_time / p->M1_inertia_estimate;
+    s->M1_model_drag = p->M1_model_damping * p->sample_time / p->M1_inertia_estimate;
+    s->M1_with_M2 = p->M1_inertia_estimate / p->M2_inertia;
+    s->M1_torque_growth = p->M1_torque_integral_gain * p->sample_time;
     return back_to_back_controller_ok;
 }
 
@@ -192,52 +226,115 @@ back_to_back_controller_status back_to_back_controller_step(back_to_back_control
     s->fault = ((s->fault < 0.5 && flange1_torque_sound < 0.5) ? 4.0 : s->fault);
     s->fault = ((s->fault < 0.5 && flange2_torque_sound < 0.5) ? 5.0 : s->fault);
     s->fault = ((M2_speed_sound < 0.5 && s->fault < 0.5) ? 6.0 : s->fault);
+    /* load_compensation follows its parameter along a ramp */
+    const back_to_back_real load_compensation_before = ((s->running > 0.5) ? s->load_compensation_now :
+        p->load_compensation);
+    const back_to_back_real load_compensation_distance = p->load_compensation - load_compensation_before;
+    const back_to_back_real load_compensation_moved = ((p->load_compensation != s->load_compensation_target) ?
+        back_to_back_max(s->switch_share * back_to_back_abs(load_compensation_distance), 1e-06 *
+        back_to_back_abs(p->load_compensation) + 1e-06 * back_to_back_abs(load_compensation_before)) :
+        s->load_compensation_step);
+    s->load_compensation_now = ((load_compensation_moved >= back_to_back_abs(load_compensation_distance)) ?
+        p->load_compensation : ((load_compensation_distance > 0.0) ? load_compensation_before +
+        load_compensation_moved : load_compensation_before - load_compensation_moved));
+    s->load_compensation_step = ((load_compensation_moved >= back_to_back_abs(load_compensation_distance)) ? 0.0 :
+        load_compensation_moved);
+    s->load_compensation_target = p->load_compensation;
+    /* acceleration_torque follows its parameter along a ramp */
+    const back_to_back_real acceleration_torque_before = ((s->running > 0.5) ? s->acceleration_torque_now :
+        p->acceleration_torque);
+    const back_to_back_real acceleration_torque_distance = p->acceleration_torque - acceleration_torque_before;
+    const back_to_back_real acceleration_torque_moved = ((p->acceleration_torque != s->acceleration_torque_target) ?
+        back_to_back_max(s->switch_share * back_to_back_abs(acceleration_torque_distance), 1e-06 *
+        back_to_back_abs(p->acceleration_torque) + 1e-06 * back_to_back_abs(acceleration_torque_before)) :
+        s->acceleration_torque_step);
+    s->acceleration_torque_now = ((acceleration_torque_moved >= back_to_back_abs(acceleration_torque_distance)) ?
+        p->acceleration_torque : ((acceleration_torque_distance > 0.0) ? acceleration_torque_before +
+        acceleration_torque_moved : acceleration_torque_before - acceleration_torque_moved));
+    s->acceleration_torque_step = ((acceleration_torque_moved >= back_to_back_abs(acceleration_torque_distance)) ?
+        0.0 : acceleration_torque_moved);
+    s->acceleration_torque_target = p->acceleration_torque;
+    /* M1_damping follows its parameter along a ramp */
+    const back_to_back_real M1_damping_before = ((s->running > 0.5) ? s->M1_damping_now : p->M1_damping);
+    const back_to_back_real M1_damping_distance = p->M1_damping - M1_damping_before;
+    const back_to_back_real M1_damping_moved = ((p->M1_damping != s->M1_damping_target) ?
+        back_to_back_max(s->switch_share * back_to_back_abs(M1_damping_distance), 1e-06 *
+        back_to_back_abs(p->M1_damping) + 1e-06 * back_to_back_abs(M1_damping_before)) : s->M1_damping_step);
+    s->M1_damping_now = ((M1_damping_moved >= back_to_back_abs(M1_damping_distance)) ? p->M1_damping :
+        ((M1_damping_distance > 0.0) ? M1_damping_before + M1_damping_moved : M1_damping_before -
+        M1_damping_moved));
+    s->M1_damping_step = ((M1_damping_moved >= back_to_back_abs(M1_damping_distance)) ? 0.0 : M1_damping_moved);
+    s->M1_damping_target = p->M1_damping;
     /* torque-speed envelope, Figure 7.1 */
     const back_to_back_real M1_available = p->M1_speed_rated * p->M1_torque_max /
         back_to_back_max(p->M1_speed_rated, back_to_back_abs(s->M1_speed_held));
+    const back_to_back_real M1_least = -M1_available * back_to_back_max(0.0, back_to_back_min(1.0, s->M1_speed_held
+        * s->M1_taper_slope + s->M1_taper_end));
+    const back_to_back_real M1_most = M1_available * back_to_back_max(0.0, back_to_back_min(1.0, -s->M1_speed_held *
+        s->M1_taper_slope + s->M1_taper_end));
     const back_to_back_real M2_available = p->M2_speed_rated * p->M2_torque_max /
         back_to_back_max(p->M2_speed_rated, back_to_back_abs(s->M2_speed_held));
-    const back_to_back_real M2_speed_error = -s->M2_speed_held + s->M2_speed_ref_held;
-    /* PI speed control (5.84) */
-    const back_to_back_real M2_asked = M2_speed_error * p->M2_speed_gain + s->M2_speed_integral;
+    const back_to_back_real M2_least = -M2_available * back_to_back_max(0.0, back_to_back_min(1.0, s->M2_speed_held
+        * s->M2_taper_slope + s->M2_taper_end));
+    const back_to_back_real M2_most = M2_available * back_to_back_max(0.0, back_to_back_min(1.0, -s->M2_speed_held *
+        s->M2_taper_slope + s->M2_taper_end));
+    /* rate of the reference */
+    const back_to_back_real M2_speed_ref_before = ((s->running > 0.5) ? s->M2_speed_ref_limited : s->M2_speed_held);
+    s->M2_speed_ref_limited = M2_speed_ref_before + back_to_back_max(-s->M2_speed_ref_step,
+        back_to_back_min(s->M2_speed_ref_step, -M2_speed_ref_before + s->M2_speed_ref_held));
+    const back_to_back_real M2_speed_error = -s->M2_speed_held + s->M2_speed_ref_limited;
     /* load torque compensation (5.52), (5.74) */
-    const back_to_back_real M2_compensation = -s->flange2_torque_held * p->load_compensation;
+    const back_to_back_real M2_compensation = -s->flange2_torque_held;
+    /* so that a switch does not jump */
+    const back_to_back_real M2_given_away = M2_compensation * (load_compensation_before - s->load_compensation_now);
+    /* PI speed control (5.84) */
+    const back_to_back_real M2_integral_before = ((p->M2_speed_integral_gain > 0.0) ? M2_given_away : 0.0) +
+        ((s->running > 0.5) ? s->M2_speed_integral : 0.0);
+    const back_to_back_real M2_asked = M2_integral_before + M2_speed_error * p->M2_speed_gain;
     /* torque-speed envelope */
-    const back_to_back_real M2_command = back_to_back_max(-M2_available, back_to_back_min(M2_available, M2_asked +
-        M2_compensation));
+    const back_to_back_real M2_command = back_to_back_max(M2_least, back_to_back_min(M2_most, M2_asked +
+        M2_compensation * s->load_compensation_now));
     /* what the limit leaves of it */
-    const back_to_back_real M2_virtual = M2_command - M2_compensation;
-    /* conditioning anti-windup */
-    s->M2_speed_integral = s->M2_speed_integral + p->M2_speed_integral_gain * p->sample_time * (M2_speed_error +
-        (-M2_asked + M2_virtual) / p->M2_speed_gain);
-    /* testing torque from the sensors (5.95), (5.98) */
-    const back_to_back_real flange1_torque_estimate = p->M1_sensor_inertia_M2 * M2_virtual * p->load_compensation /
-        p->M2_inertia + s->flange1_torque_held;
+    const back_to_back_real M2_virtual = M2_command - M2_compensation * s->load_compensation_now;
+    /* conditioning anti-windup (Hanus) */
+    s->M2_speed_integral = M2_integral_before + s->M2_speed_conditioning * (-M2_asked + M2_virtual) + M2_speed_error
+        * s->M2_speed_growth;
+    /* net torque on the rotor */
+    const back_to_back_real M2_net = M2_command - M2_compensation;
+    /* testing torque from the sensors (5.95), (5.96), (5.98) */
+    const back_to_back_real flange1_torque_estimate = s->M1_unread_M2 * M2_net + s->flange1_torque_held;
+    /* rate of the reference */
+    const back_to_back_real flange1_torque_ref_before = ((s->running > 0.5) ? s->flange1_torque_ref_limited :
+        flange1_torque_estimate);
+    s->flange1_torque_ref_limited = flange1_torque_ref_before + back_to_back_max(-s->flange1_torque_ref_step,
+        back_to_back_min(s->flange1_torque_ref_step, -flange1_torque_ref_before + s->flange1_torque_ref_held));
     /* torque model (5.57), (5.76) */
-    s->M1_model_rate = s->M1_model_rate + p->sample_time * (-p->M1_model_damping * s->M1_model_rate +
-        p->M1_model_stiffness * (-s->M1_model_torque + s->flange1_torque_ref_held)) / p->M1_inertia_estimate;
-    s->M1_model_torque = s->M1_model_rate * p->sample_time + s->M1_model_torque;
+    const back_to_back_real M1_model_before = ((s->running > 0.5) ? s->M1_model_torque : flange1_torque_estimate);
+    const back_to_back_real M1_rate_before = ((s->running > 0.5) ? s->M1_model_rate : 0.0);
+    s->M1_model_rate = -s->M1_model_drag * M1_rate_before + s->M1_model_pull * (-M1_model_before +
+        s->flange1_torque_ref_limited) + M1_rate_before;
+    s->M1_model_torque = M1_model_before + s->M1_model_rate * p->sample_time;
     const back_to_back_real M1_torque_error = s->M1_model_torque * p->M1_torque_model - flange1_torque_estimate +
-        s->flange1_torque_ref_held * (1.0 - p->M1_torque_model);
+        s->flange1_torque_ref_limited * (1.0 - p->M1_torque_model);
     /* torque control (5.99) */
-    const back_to_back_real M1_virtual = p->M1_feedforward * s->flange1_torque_ref_held + M1_torque_error *
-        p->M1_torque_gain + s->M1_torque_integral;
-    /* with the acceleration torque (5.62), (5.78) */
-    const back_to_back_real M1_wanted = p->M1_inertia_estimate * M2_virtual * p->acceleration_torque / p->M2_inertia
-        + M1_virtual;
-    /* reserve for active damping */
-    const back_to_back_real M1_kept = back_to_back_max(-M1_available * (1.0 - p->M1_damping_reserve),
-        back_to_back_min(M1_wanted, M1_available * (1.0 - p->M1_damping_reserve)));
+    const back_to_back_real M1_integral_before = ((s->running > 0.5) ? s->M1_torque_integral : 0.0);
+    const back_to_back_real M1_virtual = p->M1_feedforward * s->flange1_torque_ref_limited + M1_integral_before +
+        M1_torque_error * p->M1_torque_gain;
     /* active damping (5.62), (5.78) */
-    const back_to_back_real M1_damping_torque = -p->M1_damping * s->M1_speed_held + p->M1_damping *
-        s->M2_speed_held;
+    const back_to_back_real M1_twist_rate_M1 = -s->M1_speed_held + s->M2_speed_held;
+    const back_to_back_real M1_damping_torque = s->M1_damping_now * M1_twist_rate_M1;
+    /* with the acceleration torque (5.62), (5.78) */
+    const back_to_back_real M1_wanted = M1_virtual + s->M1_with_M2 * M2_net * s->acceleration_torque_now;
+    /* reserve for active damping */
+    const back_to_back_real M1_kept = back_to_back_max(M1_least * (1.0 - p->M1_damping_reserve),
+        back_to_back_min(M1_wanted, M1_most * (1.0 - p->M1_damping_reserve)));
     /* torque-speed envelope */
-    const back_to_back_real M1_command = back_to_back_max(-M1_available, back_to_back_min(M1_available,
-        M1_damping_torque + M1_kept));
+    const back_to_back_real M1_command = back_to_back_max(M1_least, back_to_back_min(M1_most, M1_damping_torque +
+        M1_kept));
     /* limited integrator */
-    s->M1_torque_integral = ((M1_torque_error * (-M1_kept + M1_wanted) > 0.0) ? s->M1_torque_integral :
-        back_to_back_max(-p->M1_torque_integral_limit, back_to_back_min(p->M1_torque_integral_limit, M1_torque_error
-        * p->M1_torque_integral_gain * p->sample_time + s->M1_torque_integral)));
+    s->M1_torque_integral = ((M1_torque_error * (-M1_kept + M1_wanted) > 0.0) ? M1_integral_before :
+        back_to_back_max(-p->M1_torque_integral_limit, back_to_back_min(p->M1_torque_integral_limit,
+        M1_integral_before + M1_torque_error * s->M1_torque_growth)));
     const back_to_back_real M1_largest = 1.01 * p->M1_torque_max;
     /* only sound torques leave */
     back_to_back_real M1_released;
@@ -257,6 +354,8 @@ back_to_back_controller_status back_to_back_controller_step(back_to_back_control
     out->M1_torque_ref = s->M1_last * s->authority;
     s->M2_last = ((s->fault > 0.5) ? s->M2_last : M2_released);
     out->M2_torque_ref = s->M2_last * s->authority;
+    /* start anew after a fault */
+    s->running = ((s->fault < 0.5) ? 1.0 : 0.0);
     /* The last line of defence, should parameters have been changed without an update. */
     if (!back_to_back_is_finite(out->M1_torque_ref)) {
         out->M1_torque_ref = 0.0;

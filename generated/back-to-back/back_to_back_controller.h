@@ -21,24 +21,31 @@ typedef struct {
     back_to_back_real M2_speed_plausible; /* largest plausible M2_speed (rad/s) */
     back_to_back_real load_compensation; /* switch of the load torque compensation, 0 to 1 */
     back_to_back_real acceleration_torque; /* switch of the acceleration torque, 0 to 1 */
+    back_to_back_real switch_time; /* time in which a switch or a damping follows its parameter (s) */
+    back_to_back_real M1_damping; /* active damping by M1 (5.81) (N m s/rad) */
     back_to_back_real M1_speed_rated; /* speed up to which the largest torque is available (rad/s) */
+    back_to_back_real M1_speed_max; /* largest admissible speed (rad/s) */
+    back_to_back_real M1_speed_taper; /* speed above M1_speed_max over which accelerating torque is taken back (rad/s) */
     back_to_back_real M1_torque_max; /* largest air-gap torque up to the rated speed (N m) */
     back_to_back_real M2_speed_rated; /* speed up to which the largest torque is available (rad/s) */
+    back_to_back_real M2_speed_max; /* largest admissible speed (rad/s) */
+    back_to_back_real M2_speed_taper; /* speed above M2_speed_max over which accelerating torque is taken back (rad/s) */
     back_to_back_real M2_torque_max; /* largest air-gap torque up to the rated speed (N m) */
+    back_to_back_real M2_speed_ref_rate; /* largest rate of M2_speed_ref (rad/s^2) */
     back_to_back_real M2_speed_gain; /* proportional gain of the speed of M2 (N m s/rad) */
     back_to_back_real M2_speed_integral_gain; /* integral gain of the speed of M2 (N m/rad) */
     back_to_back_real M1_sensor_inertia_M2; /* torque of M1 that its sensors miss, per acceleration of M2 (kg m^2) */
     back_to_back_real M2_inertia; /* moment of inertia of the rotor (kg m^2) */
-    back_to_back_real M1_damping; /* active damping by M1 (5.81) (N m s/rad) */
     back_to_back_real M1_inertia_estimate; /* inertia that M1 accelerates (5.78) (kg m^2) */
     back_to_back_real M1_feedforward; /* share of the torque reference fed forward to M1 */
-    back_to_back_real M1_torque_gain; /* proportional gain of the torque control of M1 */
-    back_to_back_real M1_torque_integral_gain; /* integral gain of the torque control of M1 (1/s) */
-    back_to_back_real M1_damping_reserve; /* share of the torque of M1 kept for damping */
-    back_to_back_real M1_torque_integral_limit; /* limit of the torque integrator of M1 (N m) */
+    back_to_back_real M1_torque_gain; /* proportional gain of the torque control of M1, above -1 (5.115a) */
+    back_to_back_real flange1_torque_ref_rate; /* largest rate of flange1_torque_ref (N m/s) */
     back_to_back_real M1_model_stiffness; /* stiffness in the torque model of M1 (N m/rad) */
     back_to_back_real M1_model_damping; /* damping in the torque model of M1 (N m s/rad) */
     back_to_back_real M1_torque_model; /* switch of the torque model of M1, 0 to 1 */
+    back_to_back_real M1_torque_integral_gain; /* integral gain of the torque control of M1 (1/s) */
+    back_to_back_real M1_damping_reserve; /* share of the torque of M1 kept for damping */
+    back_to_back_real M1_torque_integral_limit; /* limit of the torque integrator of M1 (N m) */
 } back_to_back_controller_params;
 
 /* Inputs of a step. */
@@ -66,13 +73,39 @@ typedef struct {
     back_to_back_real flange1_torque_held; /* last sound value of flange1_torque (N m) */
     back_to_back_real flange2_torque_held; /* last sound value of flange2_torque (N m) */
     back_to_back_real M2_speed_held; /* last sound value of M2_speed (rad/s) */
+    back_to_back_real load_compensation_now; /* load_compensation on its way to the parameter */
+    back_to_back_real load_compensation_target; /* load_compensation as the last step found it */
+    back_to_back_real load_compensation_step; /* how far load_compensation moves in a step */
+    back_to_back_real running; /* 1 once a step was done without a fault */
+    back_to_back_real acceleration_torque_now; /* acceleration_torque on its way to the parameter */
+    back_to_back_real acceleration_torque_target; /* acceleration_torque as the last step found it */
+    back_to_back_real acceleration_torque_step; /* how far acceleration_torque moves in a step */
+    back_to_back_real M1_damping_now; /* M1_damping on its way to the parameter (N m s/rad) */
+    back_to_back_real M1_damping_target; /* M1_damping as the last step found it (N m s/rad) */
+    back_to_back_real M1_damping_step; /* how far M1_damping moves in a step (N m s/rad) */
+    back_to_back_real M2_speed_ref_limited; /* M2_speed_ref behind its rate limiter (rad/s) */
     back_to_back_real M2_speed_integral; /* integrator of the speed control of M2 (N m) */
-    back_to_back_real M1_torque_integral; /* integrator of the torque control of M1 (N m) */
+    back_to_back_real flange1_torque_ref_limited; /* flange1_torque_ref behind its rate limiter (N m) */
     back_to_back_real M1_model_torque; /* torque that the feedforward to M1 should give (N m) */
     back_to_back_real M1_model_rate; /* rate of the torque model of M1 (N m/s) */
+    back_to_back_real M1_torque_integral; /* integrator of the torque control of M1 (N m) */
     back_to_back_real M1_last; /* last torque of M1 before a fault (N m) */
     back_to_back_real M2_last; /* last torque of M2 before a fault (N m) */
     back_to_back_real authority; /* 1, going to 0 along the ramp after a fault */
+    back_to_back_real switch_share; /* share of a change per step */
+    back_to_back_real M1_taper_slope; /* share of the torque of M1 per excess of speed (s/rad) */
+    back_to_back_real M1_taper_end; /* share at standstill if it were not limited */
+    back_to_back_real M2_taper_slope; /* share of the torque of M2 per excess of speed (s/rad) */
+    back_to_back_real M2_taper_end; /* share at standstill if it were not limited */
+    back_to_back_real M2_speed_ref_step; /* largest change of M2_speed_ref in a step (rad/s) */
+    back_to_back_real M2_speed_growth; /* growth of the integrator per error (N m s/rad) */
+    back_to_back_real M2_speed_conditioning; /* growth per torque cut off */
+    back_to_back_real M1_unread_M2; /* the same per net torque */
+    back_to_back_real flange1_torque_ref_step; /* largest change of flange1_torque_ref in a step (N m) */
+    back_to_back_real M1_model_pull; /* rate of the torque model per missing torque (1/s) */
+    back_to_back_real M1_model_drag; /* decay of that rate in a step */
+    back_to_back_real M1_with_M2; /* coefficient of the virtual input of M2 */
+    back_to_back_real M1_torque_growth; /* growth of the integrator per error */
 } back_to_back_controller_state;
 
 typedef enum {
@@ -95,24 +128,31 @@ typedef enum {
     back_to_back_controller_bad_M2_speed_plausible = 2007, /* outside its range */
     back_to_back_controller_bad_load_compensation = 2008, /* outside its range */
     back_to_back_controller_bad_acceleration_torque = 2009, /* outside its range */
-    back_to_back_controller_bad_M1_speed_rated = 2010, /* outside its range */
-    back_to_back_controller_bad_M1_torque_max = 2011, /* outside its range */
-    back_to_back_controller_bad_M2_speed_rated = 2012, /* outside its range */
-    back_to_back_controller_bad_M2_torque_max = 2013, /* outside its range */
-    back_to_back_controller_bad_M2_speed_gain = 2014, /* outside its range */
-    back_to_back_controller_bad_M2_speed_integral_gain = 2015, /* outside its range */
-    back_to_back_controller_bad_M1_sensor_inertia_M2 = 2016, /* outside its range */
-    back_to_back_controller_bad_M2_inertia = 2017, /* outside its range */
-    back_to_back_controller_bad_M1_damping = 2018, /* outside its range */
-    back_to_back_controller_bad_M1_inertia_estimate = 2019, /* outside its range */
-    back_to_back_controller_bad_M1_feedforward = 2020, /* outside its range */
-    back_to_back_controller_bad_M1_torque_gain = 2021, /* outside its range */
-    back_to_back_controller_bad_M1_torque_integral_gain = 2022, /* outside its range */
-    back_to_back_controller_bad_M1_damping_reserve = 2023, /* outside its range */
-    back_to_back_controller_bad_M1_torque_integral_limit = 2024, /* outside its range */
-    back_to_back_controller_bad_M1_model_stiffness = 2025, /* outside its range */
-    back_to_back_controller_bad_M1_model_damping = 2026, /* outside its range */
-    back_to_back_controller_bad_M1_torque_model = 2027, /* outside its range */
+    back_to_back_controller_bad_switch_time = 2010, /* outside its range */
+    back_to_back_controller_bad_M1_damping = 2011, /* outside its range */
+    back_to_back_controller_bad_M1_speed_rated = 2012, /* outside its range */
+    back_to_back_controller_bad_M1_speed_max = 2013, /* outside its range */
+    back_to_back_controller_bad_M1_speed_taper = 2014, /* outside its range */
+    back_to_back_controller_bad_M1_torque_max = 2015, /* outside its range */
+    back_to_back_controller_bad_M2_speed_rated = 2016, /* outside its range */
+    back_to_back_controller_bad_M2_speed_max = 2017, /* outside its range */
+    back_to_back_controller_bad_M2_speed_taper = 2018, /* outside its range */
+    back_to_back_controller_bad_M2_torque_max = 2019, /* outside its range */
+    back_to_back_controller_bad_M2_speed_ref_rate = 2020, /* outside its range */
+    back_to_back_controller_bad_M2_speed_gain = 2021, /* outside its range */
+    back_to_back_controller_bad_M2_speed_integral_gain = 2022, /* outside its range */
+    back_to_back_controller_bad_M1_sensor_inertia_M2 = 2023, /* outside its range */
+    back_to_back_controller_bad_M2_inertia = 2024, /* outside its range */
+    back_to_back_controller_bad_M1_inertia_estimate = 2025, /* outside its range */
+    back_to_back_controller_bad_M1_feedforward = 2026, /* outside its range */
+    back_to_back_controller_bad_M1_torque_gain = 2027, /* outside its range */
+    back_to_back_controller_bad_flange1_torque_ref_rate = 2028, /* outside its range */
+    back_to_back_controller_bad_M1_model_stiffness = 2029, /* outside its range */
+    back_to_back_controller_bad_M1_model_damping = 2030, /* outside its range */
+    back_to_back_controller_bad_M1_torque_model = 2031, /* outside its range */
+    back_to_back_controller_bad_M1_torque_integral_gain = 2032, /* outside its range */
+    back_to_back_controller_bad_M1_damping_reserve = 2033, /* outside its range */
+    back_to_back_controller_bad_M1_torque_integral_limit = 2034, /* outside its range */
 } back_to_back_controller_status;
 
 extern const back_to_back_controller_params back_to_back_controller_defaults;

@@ -18,6 +18,7 @@ typedef back_to_back_real real;
 real back_to_back_floor(real a) { return floor(a); }
 real back_to_back_exp(real a) { return exp(a); }
 real back_to_back_sin(real a) { return sin(a); }
+real back_to_back_sqrt(real a) { return sqrt(a); }
 
 void back_to_back_zero(size_t bytes, void *array) { memset(array, 0, bytes); }
 

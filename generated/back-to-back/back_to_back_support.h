@@ -33,6 +33,7 @@ static inline back_to_back_real back_to_back_clamp(back_to_back_real value, back
 back_to_back_real back_to_back_floor(back_to_back_real a);
 back_to_back_real back_to_back_exp(back_to_back_real a);
 back_to_back_real back_to_back_sin(back_to_back_real a);
+back_to_back_real back_to_back_sqrt(back_to_back_real a);
 
 /* Number of rows that n rows take in memory. */
 static inline int back_to_back_padded(int n) { return (n + 3) / 4 * 4; }

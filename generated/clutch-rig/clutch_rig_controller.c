@@ -20,10 +20,17 @@ const clutch_rig_controller_params clutch_rig_controller_defaults = {
     .M2_speed_plausible = 942.4777960769385,
     .load_compensation = 1.0,
     .acceleration_torque = 1.0,
+    .switch_time = 0.5,
     .M1_speed_rated = 209.43951023932,
+    .M1_speed_max = 628.318530717959,
+    .M1_speed_taper = 31.4159,
     .M1_torque_max = 480.0,
     .M2_speed_rated = 209.43951023932,
+    .M2_speed_max = 628.318530717959,
+    .M2_speed_taper = 31.4159,
     .M2_torque_max = 480.0,
+    .M1_speed_ref_rate = 1371.43,
+    .M2_speed_ref_rate = 1371.43,
     .M1_speed_gain = 10.5,
     .M1_speed_integral_gain = 78.75,
     .M2_speed_gain = 10.5,
@@ -41,10 +48,17 @@ const clutch_rig_controller_params clutch_rig_controller_conventional = {
     .M2_speed_plausible = 942.4777960769385,
     .load_compensation = 0.0,
     .acceleration_torque = 0.0,
+    .switch_time = 0.5,
     .M1_speed_rated = 209.43951023932,
+    .M1_speed_max = 628.318530717959,
+    .M1_speed_taper = 31.4159,
     .M1_torque_max = 480.0,
     .M2_speed_rated = 209.43951023932,
+    .M2_speed_max = 628.318530717959,
+    .M2_speed_taper = 31.4159,
     .M2_torque_max = 480.0,
+    .M1_speed_ref_rate = 1371.43,
+    .M2_speed_ref_rate = 1371.43,
     .M1_speed_gain = 10.5,
     .M1_speed_integral_gain = 78.75,
     .M2_speed_gain = 10.5,
@@ -70,10 +84,17 @@ static const struct {
     { "the parameter M2_speed_plausible is outside its range", offsetof(clutch_rig_controller_params, M2_speed_plausible), 0.0, DBL_MAX, 1, 0 },
     { "the parameter load_compensation is outside its range", offsetof(clutch_rig_controller_params, load_compensation), 0.0, 1.0, 0, 0 },
     { "the parameter acceleration_torque is outside its range", offsetof(clutch_rig_controller_params, acceleration_torque), 0.0, 1.0, 0, 0 },
+    { "the parameter switch_time is outside its range", offsetof(clutch_rig_controller_params, switch_time), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M1_speed_rated is outside its range", offsetof(clutch_rig_controller_params, M1_speed_rated), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_speed_max is outside its range", offsetof(clutch_rig_controller_params, M1_speed_max), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_speed_taper is outside its range", offsetof(clutch_rig_controller_params, M1_speed_taper), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M1_torque_max is outside its range", offsetof(clutch_rig_controller_params, M1_torque_max), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M2_speed_rated is outside its range", offsetof(clutch_rig_controller_params, M2_speed_rated), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_speed_max is outside its range", offsetof(clutch_rig_controller_params, M2_speed_max), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_speed_taper is outside its range", offsetof(clutch_rig_controller_params, M2_speed_taper), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M2_torque_max is outside its range", offsetof(clutch_rig_controller_params, M2_torque_max), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_speed_ref_rate is outside its range", offsetof(clutch_rig_controller_params, M1_speed_ref_rate), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_speed_ref_rate is outside its range", offsetof(clutch_rig_controller_params, M2_speed_ref_rate), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M1_speed_gain is outside its range", offsetof(clutch_rig_controller_params, M1_speed_gain), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M1_speed_integral_gain is outside its range", offsetof(clutch_rig_controller_params, M1_speed_integral_gain), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M2_speed_gain is outside its range", offsetof(clutch_rig_controller_params, M2_speed_gain), 0.0, DBL_MAX, 1, 0 },
@@ -131,7 +152,17 @@ clutch_rig_controller_status clutch_rig_controller_update(clutch_rig_controller_
             return (clutch_rig_controller_status)(2000 + k);
         }
     }
-    (void)s;
+    s->switch_share = p->sample_time / p->switch_time;
+    s->M1_taper_slope = 1.0 / p->M1_speed_taper;
+    s->M1_taper_end = p->M1_speed_max / p->M1_speed_taper + 1.0;
+    s->M2_taper_slope = 1.0 / p->M2_speed_taper;
+    s->M2_taper_end = p->M2_speed_max / p->M2_speed_taper + 1.0;
+    s->M1_speed_ref_step = p->M1_speed_ref_rate * p->sample_time;
+    s->M2_speed_ref_step = p->M2_speed_ref_rate * p->sample_time;
+    s->M1_speed_growth = p->M1_speed_integral_gain * p->sample_time;
+    s->M1_speed_conditioning = p->M1_speed_integral_gain * p->sample_time / p->M1_speed_gain;
+    s->M2_speed_growth = p->M2_speed_integral_gain * p->sample_time;
+    s->M2_speed_conditioning = p->M2_speed_integral_gain * p->sample_time / p->M2_speed_gain;
     return clutch_rig_controller_ok;
 }
 
@@ -162,37 +193,74 @@ clutch_rig_controller_status clutch_rig_controller_step(clutch_rig_controller_st
     s->fault = ((s->fault < 0.5 && flange1_torque_sound < 0.5) ? 4.0 : s->fault);
     s->fault = ((s->fault < 0.5 && flange2_torque_sound < 0.5) ? 5.0 : s->fault);
     s->fault = ((M2_speed_sound < 0.5 && s->fault < 0.5) ? 6.0 : s->fault);
+    /* load_compensation follows its parameter along a ramp */
+    const clutch_rig_real load_compensation_before = ((s->running > 0.5) ? s->load_compensation_now :
+        p->load_compensation);
+    const clutch_rig_real load_compensation_distance = p->load_compensation - load_compensation_before;
+    const clutch_rig_real load_compensation_moved = ((p->load_compensation != s->load_compensation_target) ?
+        clutch_rig_max(s->switch_share * clutch_rig_abs(load_compensation_distance), 1e-06 *
+        clutch_rig_abs(p->load_compensation) + 1e-06 * clutch_rig_abs(load_compensation_before)) :
+        s->load_compensation_step);
+    s->load_compensation_now = ((load_compensation_moved >= clutch_rig_abs(load_compensation_distance)) ?
+        p->load_compensation : ((load_compensation_distance > 0.0) ? load_compensation_before +
+        load_compensation_moved : load_compensation_before - load_compensation_moved));
+    s->load_compensation_step = ((load_compensation_moved >= clutch_rig_abs(load_compensation_distance)) ? 0.0 :
+        load_compensation_moved);
+    s->load_compensation_target = p->load_compensation;
     /* torque-speed envelope, Figure 7.1 */
     const clutch_rig_real M1_available = p->M1_speed_rated * p->M1_torque_max / clutch_rig_max(p->M1_speed_rated,
         clutch_rig_abs(s->M1_speed_held));
+    const clutch_rig_real M1_least = -M1_available * clutch_rig_max(0.0, clutch_rig_min(1.0, s->M1_speed_held *
+        s->M1_taper_slope + s->M1_taper_end));
+    const clutch_rig_real M1_most = M1_available * clutch_rig_max(0.0, clutch_rig_min(1.0, -s->M1_speed_held *
+        s->M1_taper_slope + s->M1_taper_end));
     const clutch_rig_real M2_available = p->M2_speed_rated * p->M2_torque_max / clutch_rig_max(p->M2_speed_rated,
         clutch_rig_abs(s->M2_speed_held));
-    const clutch_rig_real M1_speed_error = -s->M1_speed_held + s->M1_speed_ref_held;
-    /* PI speed control (5.84) */
-    const clutch_rig_real M1_asked = M1_speed_error * p->M1_speed_gain + s->M1_speed_integral;
+    const clutch_rig_real M2_least = -M2_available * clutch_rig_max(0.0, clutch_rig_min(1.0, s->M2_speed_held *
+        s->M2_taper_slope + s->M2_taper_end));
+    const clutch_rig_real M2_most = M2_available * clutch_rig_max(0.0, clutch_rig_min(1.0, -s->M2_speed_held *
+        s->M2_taper_slope + s->M2_taper_end));
+    /* rate of the reference */
+    const clutch_rig_real M1_speed_ref_before = ((s->running > 0.5) ? s->M1_speed_ref_limited : s->M1_speed_held);
+    s->M1_speed_ref_limited = M1_speed_ref_before + clutch_rig_max(-s->M1_speed_ref_step,
+        clutch_rig_min(s->M1_speed_ref_step, -M1_speed_ref_before + s->M1_speed_ref_held));
+    const clutch_rig_real M2_speed_ref_before = ((s->running > 0.5) ? s->M2_speed_ref_limited : s->M2_speed_held);
+    s->M2_speed_ref_limited = M2_speed_ref_before + clutch_rig_max(-s->M2_speed_ref_step,
+        clutch_rig_min(s->M2_speed_ref_step, -M2_speed_ref_before + s->M2_speed_ref_held));
+    const clutch_rig_real M1_speed_error = -s->M1_speed_held + s->M1_speed_ref_limited;
     /* load torque compensation (5.52), (5.74) */
-    const clutch_rig_real M1_compensation = s->flange1_torque_held * p->load_compensation;
-    /* torque-speed envelope */
-    const clutch_rig_real M1_command = clutch_rig_max(-M1_available, clutch_rig_min(M1_available, M1_asked +
-        M1_compensation));
-    /* what the limit leaves of it */
-    const clutch_rig_real M1_virtual = M1_command - M1_compensation;
-    /* conditioning anti-windup */
-    s->M1_speed_integral = s->M1_speed_integral + p->M1_speed_integral_gain * p->sample_time * (M1_speed_error +
-        (-M1_asked + M1_virtual) / p->M1_speed_gain);
-    const clutch_rig_real M2_speed_error = -s->M2_speed_held + s->M2_speed_ref_held;
+    const clutch_rig_real M1_compensation = s->flange1_torque_held;
+    /* so that a switch does not jump */
+    const clutch_rig_real M1_given_away = M1_compensation * (load_compensation_before - s->load_compensation_now);
     /* PI speed control (5.84) */
-    const clutch_rig_real M2_asked = M2_speed_error * p->M2_speed_gain + s->M2_speed_integral;
-    /* load torque compensation (5.52), (5.74) */
-    const clutch_rig_real M2_compensation = -s->flange2_torque_held * p->load_compensation;
+    const clutch_rig_real M1_integral_before = ((p->M1_speed_integral_gain > 0.0) ? M1_given_away : 0.0) +
+        ((s->running > 0.5) ? s->M1_speed_integral : 0.0);
+    const clutch_rig_real M1_asked = M1_integral_before + M1_speed_error * p->M1_speed_gain;
     /* torque-speed envelope */
-    const clutch_rig_real M2_command = clutch_rig_max(-M2_available, clutch_rig_min(M2_available, M2_asked +
-        M2_compensation));
+    const clutch_rig_real M1_command = clutch_rig_max(M1_least, clutch_rig_min(M1_most, M1_asked + M1_compensation *
+        s->load_compensation_now));
     /* what the limit leaves of it */
-    const clutch_rig_real M2_virtual = M2_command - M2_compensation;
-    /* conditioning anti-windup */
-    s->M2_speed_integral = s->M2_speed_integral + p->M2_speed_integral_gain * p->sample_time * (M2_speed_error +
-        (-M2_asked + M2_virtual) / p->M2_speed_gain);
+    const clutch_rig_real M1_virtual = M1_command - M1_compensation * s->load_compensation_now;
+    /* conditioning anti-windup (Hanus) */
+    s->M1_speed_integral = M1_integral_before + s->M1_speed_conditioning * (-M1_asked + M1_virtual) + M1_speed_error
+        * s->M1_speed_growth;
+    const clutch_rig_real M2_speed_error = -s->M2_speed_held + s->M2_speed_ref_limited;
+    /* load torque compensation (5.52), (5.74) */
+    const clutch_rig_real M2_compensation = -s->flange2_torque_held;
+    /* so that a switch does not jump */
+    const clutch_rig_real M2_given_away = M2_compensation * (load_compensation_before - s->load_compensation_now);
+    /* PI speed control (5.84) */
+    const clutch_rig_real M2_integral_before = ((p->M2_speed_integral_gain > 0.0) ? M2_given_away : 0.0) +
+        ((s->running > 0.5) ? s->M2_speed_integral : 0.0);
+    const clutch_rig_real M2_asked = M2_integral_before + M2_speed_error * p->M2_speed_gain;
+    /* torque-speed envelope */
+    const clutch_rig_real M2_command = clutch_rig_max(M2_least, clutch_rig_min(M2_most, M2_asked + M2_compensation *
+        s->load_compensation_now));
+    /* what the limit leaves of it */
+    const clutch_rig_real M2_virtual = M2_command - M2_compensation * s->load_compensation_now;
+    /* conditioning anti-windup (Hanus) */
+    s->M2_speed_integral = M2_integral_before + s->M2_speed_conditioning * (-M2_asked + M2_virtual) + M2_speed_error
+        * s->M2_speed_growth;
     const clutch_rig_real M1_largest = 1.01 * p->M1_torque_max;
     /* only sound torques leave */
     clutch_rig_real M1_released;
@@ -212,6 +280,8 @@ clutch_rig_controller_status clutch_rig_controller_step(clutch_rig_controller_st
     out->M1_torque_ref = s->M1_last * s->authority;
     s->M2_last = ((s->fault > 0.5) ? s->M2_last : M2_released);
     out->M2_torque_ref = s->M2_last * s->authority;
+    /* start anew after a fault */
+    s->running = ((s->fault < 0.5) ? 1.0 : 0.0);
     /* The last line of defence, should parameters have been changed without an update. */
     if (!clutch_rig_is_finite(out->M1_torque_ref)) {
         out->M1_torque_ref = 0.0;

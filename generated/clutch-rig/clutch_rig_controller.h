@@ -21,10 +21,17 @@ typedef struct {
     clutch_rig_real M2_speed_plausible; /* largest plausible M2_speed (rad/s) */
     clutch_rig_real load_compensation; /* switch of the load torque compensation, 0 to 1 */
     clutch_rig_real acceleration_torque; /* switch of the acceleration torque, 0 to 1 */
+    clutch_rig_real switch_time; /* time in which a switch or a damping follows its parameter (s) */
     clutch_rig_real M1_speed_rated; /* speed up to which the largest torque is available (rad/s) */
+    clutch_rig_real M1_speed_max; /* largest admissible speed (rad/s) */
+    clutch_rig_real M1_speed_taper; /* speed above M1_speed_max over which accelerating torque is taken back (rad/s) */
     clutch_rig_real M1_torque_max; /* largest air-gap torque up to the rated speed (N m) */
     clutch_rig_real M2_speed_rated; /* speed up to which the largest torque is available (rad/s) */
+    clutch_rig_real M2_speed_max; /* largest admissible speed (rad/s) */
+    clutch_rig_real M2_speed_taper; /* speed above M2_speed_max over which accelerating torque is taken back (rad/s) */
     clutch_rig_real M2_torque_max; /* largest air-gap torque up to the rated speed (N m) */
+    clutch_rig_real M1_speed_ref_rate; /* largest rate of M1_speed_ref (rad/s^2) */
+    clutch_rig_real M2_speed_ref_rate; /* largest rate of M2_speed_ref (rad/s^2) */
     clutch_rig_real M1_speed_gain; /* proportional gain of the speed of M1 (N m s/rad) */
     clutch_rig_real M1_speed_integral_gain; /* integral gain of the speed of M1 (N m/rad) */
     clutch_rig_real M2_speed_gain; /* proportional gain of the speed of M2 (N m s/rad) */
@@ -56,11 +63,28 @@ typedef struct {
     clutch_rig_real flange1_torque_held; /* last sound value of flange1_torque (N m) */
     clutch_rig_real flange2_torque_held; /* last sound value of flange2_torque (N m) */
     clutch_rig_real M2_speed_held; /* last sound value of M2_speed (rad/s) */
+    clutch_rig_real load_compensation_now; /* load_compensation on its way to the parameter */
+    clutch_rig_real load_compensation_target; /* load_compensation as the last step found it */
+    clutch_rig_real load_compensation_step; /* how far load_compensation moves in a step */
+    clutch_rig_real running; /* 1 once a step was done without a fault */
+    clutch_rig_real M1_speed_ref_limited; /* M1_speed_ref behind its rate limiter (rad/s) */
+    clutch_rig_real M2_speed_ref_limited; /* M2_speed_ref behind its rate limiter (rad/s) */
     clutch_rig_real M1_speed_integral; /* integrator of the speed control of M1 (N m) */
     clutch_rig_real M2_speed_integral; /* integrator of the speed control of M2 (N m) */
     clutch_rig_real M1_last; /* last torque of M1 before a fault (N m) */
     clutch_rig_real M2_last; /* last torque of M2 before a fault (N m) */
     clutch_rig_real authority; /* 1, going to 0 along the ramp after a fault */
+    clutch_rig_real switch_share; /* share of a change per step */
+    clutch_rig_real M1_taper_slope; /* share of the torque of M1 per excess of speed (s/rad) */
+    clutch_rig_real M1_taper_end; /* share at standstill if it were not limited */
+    clutch_rig_real M2_taper_slope; /* share of the torque of M2 per excess of speed (s/rad) */
+    clutch_rig_real M2_taper_end; /* share at standstill if it were not limited */
+    clutch_rig_real M1_speed_ref_step; /* largest change of M1_speed_ref in a step (rad/s) */
+    clutch_rig_real M2_speed_ref_step; /* largest change of M2_speed_ref in a step (rad/s) */
+    clutch_rig_real M1_speed_growth; /* growth of the integrator per error (N m s/rad) */
+    clutch_rig_real M1_speed_conditioning; /* growth per torque cut off */
+    clutch_rig_real M2_speed_growth; /* growth of the integrator per error (N m s/rad) */
+    clutch_rig_real M2_speed_conditioning; /* growth per torque cut off */
 } clutch_rig_controller_state;
 
 typedef enum {
@@ -83,14 +107,21 @@ typedef enum {
     clutch_rig_controller_bad_M2_speed_plausible = 2007, /* outside its range */
     clutch_rig_controller_bad_load_compensation = 2008, /* outside its range */
     clutch_rig_controller_bad_acceleration_torque = 2009, /* outside its range */
-    clutch_rig_controller_bad_M1_speed_rated = 2010, /* outside its range */
-    clutch_rig_controller_bad_M1_torque_max = 2011, /* outside its range */
-    clutch_rig_controller_bad_M2_speed_rated = 2012, /* outside its range */
-    clutch_rig_controller_bad_M2_torque_max = 2013, /* outside its range */
-    clutch_rig_controller_bad_M1_speed_gain = 2014, /* outside its range */
-    clutch_rig_controller_bad_M1_speed_integral_gain = 2015, /* outside its range */
-    clutch_rig_controller_bad_M2_speed_gain = 2016, /* outside its range */
-    clutch_rig_controller_bad_M2_speed_integral_gain = 2017, /* outside its range */
+    clutch_rig_controller_bad_switch_time = 2010, /* outside its range */
+    clutch_rig_controller_bad_M1_speed_rated = 2011, /* outside its range */
+    clutch_rig_controller_bad_M1_speed_max = 2012, /* outside its range */
+    clutch_rig_controller_bad_M1_speed_taper = 2013, /* outside its range */
+    clutch_rig_controller_bad_M1_torque_max = 2014, /* outside its range */
+    clutch_rig_controller_bad_M2_speed_rated = 2015, /* outside its range */
+    clutch_rig_controller_bad_M2_speed_max = 2016, /* outside its range */
+    clutch_rig_controller_bad_M2_speed_taper = 2017, /* outside its range */
+    clutch_rig_controller_bad_M2_torque_max = 2018, /* outside its range */
+    clutch_rig_controller_bad_M1_speed_ref_rate = 2019, /* outside its range */
+    clutch_rig_controller_bad_M2_speed_ref_rate = 2020, /* outside its range */
+    clutch_rig_controller_bad_M1_speed_gain = 2021, /* outside its range */
+    clutch_rig_controller_bad_M1_speed_integral_gain = 2022, /* outside its range */
+    clutch_rig_controller_bad_M2_speed_gain = 2023, /* outside its range */
+    clutch_rig_controller_bad_M2_speed_integral_gain = 2024, /* outside its range */
 } clutch_rig_controller_status;
 
 extern const clutch_rig_controller_params clutch_rig_controller_defaults;

@@ -18,6 +18,7 @@ typedef clutch_rig_real real;
 real clutch_rig_floor(real a) { return floor(a); }
 real clutch_rig_exp(real a) { return exp(a); }
 real clutch_rig_sin(real a) { return sin(a); }
+real clutch_rig_sqrt(real a) { return sqrt(a); }
 
 void clutch_rig_zero(size_t bytes, void *array) { memset(array, 0, bytes); }
 

@@ -33,6 +33,7 @@ static inline clutch_rig_real clutch_rig_clamp(clutch_rig_real value, clutch_rig
 clutch_rig_real clutch_rig_floor(clutch_rig_real a);
 clutch_rig_real clutch_rig_exp(clutch_rig_real a);
 clutch_rig_real clutch_rig_sin(clutch_rig_real a);
+clutch_rig_real clutch_rig_sqrt(clutch_rig_real a);
 
 /* Number of rows that n rows take in memory. */
 static inline int clutch_rig_padded(int n) { return (n + 3) / 4 * 4; }

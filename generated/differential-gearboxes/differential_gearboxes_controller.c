@@ -22,12 +22,22 @@ const differential_gearboxes_controller_params differential_gearboxes_controller
     .M3_speed_plausible = 942.4777960769385,
     .load_compensation = 1.0,
     .acceleration_torque = 1.0,
+    .switch_time = 0.5,
+    .M1_damping = 74.8226,
     .M1_speed_rated = 188.495559215388,
+    .M1_speed_max = 628.318530717959,
+    .M1_speed_taper = 31.4159,
     .M1_torque_max = 3700.0,
     .M2_speed_rated = 188.495559215388,
+    .M2_speed_max = 628.318530717959,
+    .M2_speed_taper = 31.4159,
     .M2_torque_max = 3700.0,
     .M3_speed_rated = 188.495559215388,
+    .M3_speed_max = 628.318530717959,
+    .M3_speed_taper = 31.4159,
     .M3_torque_max = 3700.0,
+    .M2_speed_ref_rate = 359.223,
+    .M3_speed_ref_rate = 359.223,
     .M2_speed_gain = 61.8,
     .M2_speed_integral_gain = 92.7,
     .M3_speed_gain = 61.8,
@@ -40,18 +50,18 @@ const differential_gearboxes_controller_params differential_gearboxes_controller
     .gearbox3_inertia = 1.65,
     .M1_sensor_inertia_M2 = 0.3328,
     .M1_sensor_inertia_M3 = 0.3016,
-    .diff_ratio = 2.85,
-    .gearbox1_ratio = 8.1,
-    .M1_damping = 74.8226,
     .M1_inertia_estimate = 4.33657,
     .M1_feedforward = 1.0,
     .M1_torque_gain = 0.0,
-    .M1_torque_integral_gain = 2.0,
-    .M1_damping_reserve = 0.1,
-    .M1_torque_integral_limit = 42700.0,
+    .diff_outputs_torque_ref_rate = 736865.0,
     .M1_model_stiffness = 322.745,
     .M1_model_damping = 74.8226,
     .M1_torque_model = 1.0,
+    .diff_ratio = 2.85,
+    .gearbox1_ratio = 8.1,
+    .M1_torque_integral_gain = 2.0,
+    .M1_damping_reserve = 0.1,
+    .M1_torque_integral_limit = 42700.0,
 };
 
 const differential_gearboxes_controller_params differential_gearboxes_controller_conventional = {
@@ -67,12 +77,22 @@ const differential_gearboxes_controller_params differential_gearboxes_controller
     .M3_speed_plausible = 942.4777960769385,
     .load_compensation = 0.0,
     .acceleration_torque = 0.0,
+    .switch_time = 0.5,
+    .M1_damping = 0.0,
     .M1_speed_rated = 188.495559215388,
+    .M1_speed_max = 628.318530717959,
+    .M1_speed_taper = 31.4159,
     .M1_torque_max = 3700.0,
     .M2_speed_rated = 188.495559215388,
+    .M2_speed_max = 628.318530717959,
+    .M2_speed_taper = 31.4159,
     .M2_torque_max = 3700.0,
     .M3_speed_rated = 188.495559215388,
+    .M3_speed_max = 628.318530717959,
+    .M3_speed_taper = 31.4159,
     .M3_torque_max = 3700.0,
+    .M2_speed_ref_rate = 359.223,
+    .M3_speed_ref_rate = 359.223,
     .M2_speed_gain = 61.8,
     .M2_speed_integral_gain = 92.7,
     .M3_speed_gain = 61.8,
@@ -85,18 +105,18 @@ const differential_gearboxes_controller_params differential_gearboxes_controller
     .gearbox3_inertia = 1.65,
     .M1_sensor_inertia_M2 = 0.3328,
     .M1_sensor_inertia_M3 = 0.3016,
-    .diff_ratio = 2.85,
-    .gearbox1_ratio = 8.1,
-    .M1_damping = 0.0,
     .M1_inertia_estimate = 4.33657,
     .M1_feedforward = 1.0,
     .M1_torque_gain = 0.0,
-    .M1_torque_integral_gain = 0.315824,
-    .M1_damping_reserve = 0.1,
-    .M1_torque_integral_limit = 42700.0,
+    .diff_outputs_torque_ref_rate = 736865.0,
     .M1_model_stiffness = 322.745,
     .M1_model_damping = 74.8226,
     .M1_torque_model = 0.0,
+    .diff_ratio = 2.85,
+    .gearbox1_ratio = 8.1,
+    .M1_torque_integral_gain = 0.315824,
+    .M1_damping_reserve = 0.1,
+    .M1_torque_integral_limit = 42700.0,
 };
 
 /* Range of each parameter; `open` excludes the lower bound. The order is that of the status codes. */
@@ -120,12 +140,22 @@ static const struct {
     { "the parameter M3_speed_plausible is outside its range", offsetof(differential_gearboxes_controller_params, M3_speed_plausible), 0.0, DBL_MAX, 1, 0 },
     { "the parameter load_compensation is outside its range", offsetof(differential_gearboxes_controller_params, load_compensation), 0.0, 1.0, 0, 0 },
     { "the parameter acceleration_torque is outside its range", offsetof(differential_gearboxes_controller_params, acceleration_torque), 0.0, 1.0, 0, 0 },
+    { "the parameter switch_time is outside its range", offsetof(differential_gearboxes_controller_params, switch_time), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_damping is outside its range", offsetof(differential_gearboxes_controller_params, M1_damping), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M1_speed_rated is outside its range", offsetof(differential_gearboxes_controller_params, M1_speed_rated), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_speed_max is outside its range", offsetof(differential_gearboxes_controller_params, M1_speed_max), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_speed_taper is outside its range", offsetof(differential_gearboxes_controller_params, M1_speed_taper), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M1_torque_max is outside its range", offsetof(differential_gearboxes_controller_params, M1_torque_max), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M2_speed_rated is outside its range", offsetof(differential_gearboxes_controller_params, M2_speed_rated), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_speed_max is outside its range", offsetof(differential_gearboxes_controller_params, M2_speed_max), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_speed_taper is outside its range", offsetof(differential_gearboxes_controller_params, M2_speed_taper), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M2_torque_max is outside its range", offsetof(differential_gearboxes_controller_params, M2_torque_max), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M3_speed_rated is outside its range", offsetof(differential_gearboxes_controller_params, M3_speed_rated), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M3_speed_max is outside its range", offsetof(differential_gearboxes_controller_params, M3_speed_max), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M3_speed_taper is outside its range", offsetof(differential_gearboxes_controller_params, M3_speed_taper), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M3_torque_max is outside its range", offsetof(differential_gearboxes_controller_params, M3_torque_max), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_speed_ref_rate is outside its range", offsetof(differential_gearboxes_controller_params, M2_speed_ref_rate), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M3_speed_ref_rate is outside its range", offsetof(differential_gearboxes_controller_params, M3_speed_ref_rate), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M2_speed_gain is outside its range", offsetof(differential_gearboxes_controller_params, M2_speed_gain), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M2_speed_integral_gain is outside its range", offsetof(differential_gearboxes_controller_params, M2_speed_integral_gain), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M3_speed_gain is outside its range", offsetof(differential_gearboxes_controller_params, M3_speed_gain), 0.0, DBL_MAX, 1, 0 },
@@ -138,18 +168,18 @@ static const struct {
     { "the parameter gearbox3_inertia is outside its range", offsetof(differential_gearboxes_controller_params, gearbox3_inertia), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M1_sensor_inertia_M2 is outside its range", offsetof(differential_gearboxes_controller_params, M1_sensor_inertia_M2), -DBL_MAX, DBL_MAX, 0, 0 },
     { "the parameter M1_sensor_inertia_M3 is outside its range", offsetof(differential_gearboxes_controller_params, M1_sensor_inertia_M3), -DBL_MAX, DBL_MAX, 0, 0 },
-    { "the parameter diff_ratio is outside its range", offsetof(differential_gearboxes_controller_params, diff_ratio), -DBL_MAX, DBL_MAX, 0, 1 },
-    { "the parameter gearbox1_ratio is outside its range", offsetof(differential_gearboxes_controller_params, gearbox1_ratio), -DBL_MAX, DBL_MAX, 0, 1 },
-    { "the parameter M1_damping is outside its range", offsetof(differential_gearboxes_controller_params, M1_damping), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M1_inertia_estimate is outside its range", offsetof(differential_gearboxes_controller_params, M1_inertia_estimate), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M1_feedforward is outside its range", offsetof(differential_gearboxes_controller_params, M1_feedforward), 0.0, DBL_MAX, 0, 0 },
-    { "the parameter M1_torque_gain is outside its range", offsetof(differential_gearboxes_controller_params, M1_torque_gain), 0.0, DBL_MAX, 0, 0 },
-    { "the parameter M1_torque_integral_gain is outside its range", offsetof(differential_gearboxes_controller_params, M1_torque_integral_gain), 0.0, DBL_MAX, 0, 0 },
-    { "the parameter M1_damping_reserve is outside its range", offsetof(differential_gearboxes_controller_params, M1_damping_reserve), 0.0, 1.0, 0, 0 },
-    { "the parameter M1_torque_integral_limit is outside its range", offsetof(differential_gearboxes_controller_params, M1_torque_integral_limit), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter M1_torque_gain is outside its range", offsetof(differential_gearboxes_controller_params, M1_torque_gain), -1.0, DBL_MAX, 1, 0 },
+    { "the parameter diff_outputs_torque_ref_rate is outside its range", offsetof(differential_gearboxes_controller_params, diff_outputs_torque_ref_rate), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M1_model_stiffness is outside its range", offsetof(differential_gearboxes_controller_params, M1_model_stiffness), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M1_model_damping is outside its range", offsetof(differential_gearboxes_controller_params, M1_model_damping), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M1_torque_model is outside its range", offsetof(differential_gearboxes_controller_params, M1_torque_model), 0.0, 1.0, 0, 0 },
+    { "the parameter diff_ratio is outside its range", offsetof(differential_gearboxes_controller_params, diff_ratio), -DBL_MAX, DBL_MAX, 0, 1 },
+    { "the parameter gearbox1_ratio is outside its range", offsetof(differential_gearboxes_controller_params, gearbox1_ratio), -DBL_MAX, DBL_MAX, 0, 1 },
+    { "the parameter M1_torque_integral_gain is outside its range", offsetof(differential_gearboxes_controller_params, M1_torque_integral_gain), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter M1_damping_reserve is outside its range", offsetof(differential_gearboxes_controller_params, M1_damping_reserve), 0.0, 1.0, 0, 0 },
+    { "the parameter M1_torque_integral_limit is outside its range", offsetof(differential_gearboxes_controller_params, M1_torque_integral_limit), 0.0, DBL_MAX, 0, 0 },
 };
 
 enum { limit_count = sizeof limits / sizeof limits[0] };
@@ -209,7 +239,35 @@ differential_gearboxes_controller_status differential_gearboxes_controller_updat
             return (differential_gearboxes_controller_status)(2000 + k);
         }
     }
-    (void)s;
+    s->switch_share = p->sample_time / p->switch_time;
+    s->M1_taper_slope = 1.0 / p->M1_speed_taper;
+    s->M1_taper_end = p->M1_speed_max / p->M1_speed_taper + 1.0;
+    s->M2_taper_slope = 1.0 / p->M2_speed_taper;
+    s->M2_taper_end = p->M2_speed_max / p->M2_speed_taper + 1.0;
+    s->M3_taper_slope = 1.0 / p->M3_speed_taper;
+    s->M3_taper_end = p->M3_speed_max / p->M3_speed_taper + 1.0;
+    s->M2_speed_ref_step = p->M2_speed_ref_rate * p->sample_time;
+    s->M3_speed_ref_step = p->M3_speed_ref_rate * p->sample_time;
+    s->M2_speed_growth = p->M2_speed_integral_gain * p->sample_time;
+    s->M2_speed_conditioning = p->M2_speed_integral_gain * p->sample_time / p->M2_speed_gain;
+    s->M3_speed_growth = p->M3_speed_integral_gain * p->sample_time;
+    s->M3_speed_conditioning = p->M3_speed_integral_gain * p->sample_time / p->M3_speed_gain;
+    s->M1_read_M2 = p->gearbox2_inertia * p->gearbox2_ratio / p->M2_inertia;
+    s->M1_read_M3 = p->gearbox3_inertia * p->gearbox3_ratio / p->M3_inertia;
+    s->M1_unread_M2 = p->M1_sensor_inertia_M2 / p->M2_inertia;
+    s->M1_unread_M3 = p->M1_sensor_inertia_M3 / p->M3_inertia;
+    s->diff_outputs_torque_ref_step = p->diff_outputs_torque_ref_rate * p->sample_time;
+    s->M1_model_pull = p->M1_model_stiffness * p->sample_time / p->M1_inertia_estimate;
+    s->M1_model_drag = p->M1_model_damping * p->sample_time / p->M1_inertia_estimate;
+    s->M1_share_M1 = 1.0 / (p->diff_ratio * p->gearbox1_ratio);
+    s->M1_with_M2 = (0.5) * p->M1_inertia_estimate * p->diff_ratio * p->gearbox1_ratio / (p->M2_inertia *
+        p->gearbox2_ratio);
+    s->M1_with_M3 = (0.5) * p->M1_inertia_estimate * p->diff_ratio * p->gearbox1_ratio / (p->M3_inertia *
+        p->gearbox3_ratio);
+    s->M1_twist_M2_speed = (0.5) * p->diff_ratio * p->gearbox1_ratio / p->gearbox2_ratio;
+    s->M1_twist_M3_speed = (0.5) * p->diff_ratio * p->gearbox1_ratio / p->gearbox3_ratio;
+    s->M1_torque_growth = p->M1_torque_integral_gain * p->sample_time;
+    s->M1_share = 1.0 / (p->diff_ratio * p->gearbox1_ratio);
     return differential_gearboxes_controller_ok;
 }
 
@@ -250,74 +308,161 @@ differential_gearboxes_controller_status differential_gearboxes_controller_step(
     s->fault = ((M2_speed_sound < 0.5 && s->fault < 0.5) ? 6.0 : s->fault);
     s->fault = ((s->fault < 0.5 && flange3_torque_sound < 0.5) ? 7.0 : s->fault);
     s->fault = ((M3_speed_sound < 0.5 && s->fault < 0.5) ? 8.0 : s->fault);
+    /* load_compensation follows its parameter along a ramp */
+    const differential_gearboxes_real load_compensation_before = ((s->running > 0.5) ? s->load_compensation_now :
+        p->load_compensation);
+    const differential_gearboxes_real load_compensation_distance = p->load_compensation - load_compensation_before;
+    const differential_gearboxes_real load_compensation_moved = ((p->load_compensation !=
+        s->load_compensation_target) ? differential_gearboxes_max(s->switch_share *
+        differential_gearboxes_abs(load_compensation_distance), 1e-06 *
+        differential_gearboxes_abs(p->load_compensation) + 1e-06 *
+        differential_gearboxes_abs(load_compensation_before)) : s->load_compensation_step);
+    s->load_compensation_now = ((load_compensation_moved >= differential_gearboxes_abs(load_compensation_distance))
+        ? p->load_compensation : ((load_compensation_distance > 0.0) ? load_compensation_before +
+        load_compensation_moved : load_compensation_before - load_compensation_moved));
+    s->load_compensation_step = ((load_compensation_moved >= differential_gearboxes_abs(load_compensation_distance))
+        ? 0.0 : load_compensation_moved);
+    s->load_compensation_target = p->load_compensation;
+    /* acceleration_torque follows its parameter along a ramp */
+    const differential_gearboxes_real acceleration_torque_before = ((s->running > 0.5) ? s->acceleration_torque_now
+        : p->acceleration_torque);
+    const differential_gearboxes_real acceleration_torque_distance = p->acceleration_torque -
+        acceleration_torque_before;
+    const differential_gearboxes_real acceleration_torque_moved = ((p->acceleration_torque !=
+        s->acceleration_torque_target) ? differential_gearboxes_max(s->switch_share *
+        differential_gearboxes_abs(acceleration_torque_distance), 1e-06 *
+        differential_gearboxes_abs(p->acceleration_torque) + 1e-06 *
+        differential_gearboxes_abs(acceleration_torque_before)) : s->acceleration_torque_step);
+    s->acceleration_torque_now = ((acceleration_torque_moved >=
+        differential_gearboxes_abs(acceleration_torque_distance)) ? p->acceleration_torque :
+        ((acceleration_torque_distance > 0.0) ? acceleration_torque_before + acceleration_torque_moved :
+        acceleration_torque_before - acceleration_torque_moved));
+    s->acceleration_torque_step = ((acceleration_torque_moved >=
+        differential_gearboxes_abs(acceleration_torque_distance)) ? 0.0 : acceleration_torque_moved);
+    s->acceleration_torque_target = p->acceleration_torque;
+    /* M1_damping follows its parameter along a ramp */
+    const differential_gearboxes_real M1_damping_before = ((s->running > 0.5) ? s->M1_damping_now : p->M1_damping);
+    const differential_gearboxes_real M1_damping_distance = p->M1_damping - M1_damping_before;
+    const differential_gearboxes_real M1_damping_moved = ((p->M1_damping != s->M1_damping_target) ?
+        differential_gearboxes_max(s->switch_share * differential_gearboxes_abs(M1_damping_distance), 1e-06 *
+        differential_gearboxes_abs(p->M1_damping) + 1e-06 * differential_gearboxes_abs(M1_damping_before)) :
+        s->M1_damping_step);
+    s->M1_damping_now = ((M1_damping_moved >= differential_gearboxes_abs(M1_damping_distance)) ? p->M1_damping :
+        ((M1_damping_distance > 0.0) ? M1_damping_before + M1_damping_moved : M1_damping_before -
+        M1_damping_moved));
+    s->M1_damping_step = ((M1_damping_moved >= differential_gearboxes_abs(M1_damping_distance)) ? 0.0 :
+        M1_damping_moved);
+    s->M1_damping_target = p->M1_damping;
     /* torque-speed envelope, Figure 7.1 */
     const differential_gearboxes_real M1_available = p->M1_speed_rated * p->M1_torque_max /
         differential_gearboxes_max(p->M1_speed_rated, differential_gearboxes_abs(s->M1_speed_held));
+    const differential_gearboxes_real M1_least = -M1_available * differential_gearboxes_max(0.0,
+        differential_gearboxes_min(1.0, s->M1_speed_held * s->M1_taper_slope + s->M1_taper_end));
+    const differential_gearboxes_real M1_most = M1_available * differential_gearboxes_max(0.0,
+        differential_gearboxes_min(1.0, -s->M1_speed_held * s->M1_taper_slope + s->M1_taper_end));
     const differential_gearboxes_real M2_available = p->M2_speed_rated * p->M2_torque_max /
         differential_gearboxes_max(p->M2_speed_rated, differential_gearboxes_abs(s->M2_speed_held));
+    const differential_gearboxes_real M2_least = -M2_available * differential_gearboxes_max(0.0,
+        differential_gearboxes_min(1.0, s->M2_speed_held * s->M2_taper_slope + s->M2_taper_end));
+    const differential_gearboxes_real M2_most = M2_available * differential_gearboxes_max(0.0,
+        differential_gearboxes_min(1.0, -s->M2_speed_held * s->M2_taper_slope + s->M2_taper_end));
     const differential_gearboxes_real M3_available = p->M3_speed_rated * p->M3_torque_max /
         differential_gearboxes_max(p->M3_speed_rated, differential_gearboxes_abs(s->M3_speed_held));
-    const differential_gearboxes_real M2_speed_error = -s->M2_speed_held + s->M2_speed_ref_held;
-    /* PI speed control (5.84) */
-    const differential_gearboxes_real M2_asked = M2_speed_error * p->M2_speed_gain + s->M2_speed_integral;
+    const differential_gearboxes_real M3_least = -M3_available * differential_gearboxes_max(0.0,
+        differential_gearboxes_min(1.0, s->M3_speed_held * s->M3_taper_slope + s->M3_taper_end));
+    const differential_gearboxes_real M3_most = M3_available * differential_gearboxes_max(0.0,
+        differential_gearboxes_min(1.0, -s->M3_speed_held * s->M3_taper_slope + s->M3_taper_end));
+    /* rate of the reference */
+    const differential_gearboxes_real M2_speed_ref_before = ((s->running > 0.5) ? s->M2_speed_ref_limited :
+        s->M2_speed_held);
+    s->M2_speed_ref_limited = M2_speed_ref_before + differential_gearboxes_max(-s->M2_speed_ref_step,
+        differential_gearboxes_min(s->M2_speed_ref_step, -M2_speed_ref_before + s->M2_speed_ref_held));
+    const differential_gearboxes_real M3_speed_ref_before = ((s->running > 0.5) ? s->M3_speed_ref_limited :
+        s->M3_speed_held);
+    s->M3_speed_ref_limited = M3_speed_ref_before + differential_gearboxes_max(-s->M3_speed_ref_step,
+        differential_gearboxes_min(s->M3_speed_ref_step, -M3_speed_ref_before + s->M3_speed_ref_held));
+    const differential_gearboxes_real M2_speed_error = -s->M2_speed_held + s->M2_speed_ref_limited;
     /* load torque compensation (5.52), (5.74) */
-    const differential_gearboxes_real M2_compensation = -s->flange2_torque_held * p->load_compensation;
-    /* torque-speed envelope */
-    const differential_gearboxes_real M2_command = differential_gearboxes_max(-M2_available,
-        differential_gearboxes_min(M2_available, M2_asked + M2_compensation));
-    /* what the limit leaves of it */
-    const differential_gearboxes_real M2_virtual = M2_command - M2_compensation;
-    /* conditioning anti-windup */
-    s->M2_speed_integral = s->M2_speed_integral + p->M2_speed_integral_gain * p->sample_time * (M2_speed_error +
-        (-M2_asked + M2_virtual) / p->M2_speed_gain);
-    const differential_gearboxes_real M3_speed_error = -s->M3_speed_held + s->M3_speed_ref_held;
+    const differential_gearboxes_real M2_compensation = -s->flange2_torque_held;
+    /* so that a switch does not jump */
+    const differential_gearboxes_real M2_given_away = M2_compensation * (load_compensation_before -
+        s->load_compensation_now);
     /* PI speed control (5.84) */
-    const differential_gearboxes_real M3_asked = M3_speed_error * p->M3_speed_gain + s->M3_speed_integral;
-    /* load torque compensation (5.52), (5.74) */
-    const differential_gearboxes_real M3_compensation = -s->flange3_torque_held * p->load_compensation;
+    const differential_gearboxes_real M2_integral_before = ((p->M2_speed_integral_gain > 0.0) ? M2_given_away : 0.0)
+        + ((s->running > 0.5) ? s->M2_speed_integral : 0.0);
+    const differential_gearboxes_real M2_asked = M2_integral_before + M2_speed_error * p->M2_speed_gain;
     /* torque-speed envelope */
-    const differential_gearboxes_real M3_command = differential_gearboxes_max(-M3_available,
-        differential_gearboxes_min(M3_available, M3_asked + M3_compensation));
+    const differential_gearboxes_real M2_command = differential_gearboxes_max(M2_least,
+        differential_gearboxes_min(M2_most, M2_asked + M2_compensation * s->load_compensation_now));
     /* what the limit leaves of it */
-    const differential_gearboxes_real M3_virtual = M3_command - M3_compensation;
-    /* conditioning anti-windup */
-    s->M3_speed_integral = s->M3_speed_integral + p->M3_speed_integral_gain * p->sample_time * (M3_speed_error +
-        (-M3_asked + M3_virtual) / p->M3_speed_gain);
-    /* testing torque from the sensors (5.95), (5.98) */
-    const differential_gearboxes_real diff_outputs_torque_estimate = s->flange2_torque_held * p->gearbox2_ratio +
-        s->flange3_torque_held * p->gearbox3_ratio + p->load_compensation * (p->M1_sensor_inertia_M2 * M2_virtual /
-        p->M2_inertia + p->M1_sensor_inertia_M3 * M3_virtual / p->M3_inertia + M3_virtual * p->gearbox3_inertia *
-        p->gearbox3_ratio / p->M3_inertia + M2_virtual * p->gearbox2_inertia * p->gearbox2_ratio / p->M2_inertia);
+    const differential_gearboxes_real M2_virtual = M2_command - M2_compensation * s->load_compensation_now;
+    /* conditioning anti-windup (Hanus) */
+    s->M2_speed_integral = M2_integral_before + s->M2_speed_conditioning * (-M2_asked + M2_virtual) + M2_speed_error
+        * s->M2_speed_growth;
+    /* net torque on the rotor */
+    const differential_gearboxes_real M2_net = M2_command - M2_compensation;
+    const differential_gearboxes_real M3_speed_error = -s->M3_speed_held + s->M3_speed_ref_limited;
+    /* load torque compensation (5.52), (5.74) */
+    const differential_gearboxes_real M3_compensation = -s->flange3_torque_held;
+    /* so that a switch does not jump */
+    const differential_gearboxes_real M3_given_away = M3_compensation * (load_compensation_before -
+        s->load_compensation_now);
+    /* PI speed control (5.84) */
+    const differential_gearboxes_real M3_integral_before = ((p->M3_speed_integral_gain > 0.0) ? M3_given_away : 0.0)
+        + ((s->running > 0.5) ? s->M3_speed_integral : 0.0);
+    const differential_gearboxes_real M3_asked = M3_integral_before + M3_speed_error * p->M3_speed_gain;
+    /* torque-speed envelope */
+    const differential_gearboxes_real M3_command = differential_gearboxes_max(M3_least,
+        differential_gearboxes_min(M3_most, M3_asked + M3_compensation * s->load_compensation_now));
+    /* what the limit leaves of it */
+    const differential_gearboxes_real M3_virtual = M3_command - M3_compensation * s->load_compensation_now;
+    /* conditioning anti-windup (Hanus) */
+    s->M3_speed_integral = M3_integral_before + s->M3_speed_conditioning * (-M3_asked + M3_virtual) + M3_speed_error
+        * s->M3_speed_growth;
+    /* net torque on the rotor */
+    const differential_gearboxes_real M3_net = M3_command - M3_compensation;
+    /* testing torque from the sensors (5.95), (5.96), (5.98) */
+    const differential_gearboxes_real diff_outputs_torque_estimate = s->M1_read_M2 * M2_net + s->M1_read_M3 * M3_net
+        + s->M1_unread_M2 * M2_net + s->M1_unread_M3 * M3_net + s->flange2_torque_held * p->gearbox2_ratio +
+        s->flange3_torque_held * p->gearbox3_ratio;
+    /* rate of the reference */
+    const differential_gearboxes_real diff_outputs_torque_ref_before = ((s->running > 0.5) ?
+        s->diff_outputs_torque_ref_limited : diff_outputs_torque_estimate);
+    s->diff_outputs_torque_ref_limited = diff_outputs_torque_ref_before +
+        differential_gearboxes_max(-s->diff_outputs_torque_ref_step,
+        differential_gearboxes_min(s->diff_outputs_torque_ref_step, -diff_outputs_torque_ref_before +
+        s->diff_outputs_torque_ref_held));
     /* torque model (5.57), (5.76) */
-    s->M1_model_rate = s->M1_model_rate + p->sample_time * (-p->M1_model_damping * s->M1_model_rate +
-        p->M1_model_stiffness * (-s->M1_model_torque + s->diff_outputs_torque_ref_held)) / p->M1_inertia_estimate;
-    s->M1_model_torque = s->M1_model_rate * p->sample_time + s->M1_model_torque;
+    const differential_gearboxes_real M1_model_before = ((s->running > 0.5) ? s->M1_model_torque :
+        diff_outputs_torque_estimate);
+    const differential_gearboxes_real M1_rate_before = ((s->running > 0.5) ? s->M1_model_rate : 0.0);
+    s->M1_model_rate = -s->M1_model_drag * M1_rate_before + s->M1_model_pull * (-M1_model_before +
+        s->diff_outputs_torque_ref_limited) + M1_rate_before;
+    s->M1_model_torque = M1_model_before + s->M1_model_rate * p->sample_time;
     const differential_gearboxes_real M1_torque_error = s->M1_model_torque * p->M1_torque_model -
-        diff_outputs_torque_estimate + s->diff_outputs_torque_ref_held * (1.0 - p->M1_torque_model);
+        diff_outputs_torque_estimate + s->diff_outputs_torque_ref_limited * (1.0 - p->M1_torque_model);
     /* torque control (5.99) */
-    const differential_gearboxes_real M1_virtual = p->M1_feedforward * s->diff_outputs_torque_ref_held +
-        M1_torque_error * p->M1_torque_gain + s->M1_torque_integral;
-    /* with the acceleration torque (5.62), (5.78) */
-    const differential_gearboxes_real M1_wanted = M1_virtual / (p->diff_ratio * p->gearbox1_ratio) +
-        p->acceleration_torque * ((0.5) * p->M1_inertia_estimate * M3_virtual * p->diff_ratio * p->gearbox1_ratio /
-        (p->M3_inertia * p->gearbox3_ratio) + (0.5) * p->M1_inertia_estimate * M2_virtual * p->diff_ratio *
-        p->gearbox1_ratio / (p->M2_inertia * p->gearbox2_ratio));
-    /* reserve for active damping */
-    const differential_gearboxes_real M1_kept = differential_gearboxes_max(-M1_available * (1.0 -
-        p->M1_damping_reserve), differential_gearboxes_min(M1_wanted, M1_available * (1.0 -
-        p->M1_damping_reserve)));
+    const differential_gearboxes_real M1_integral_before = ((s->running > 0.5) ? s->M1_torque_integral : 0.0);
+    const differential_gearboxes_real M1_virtual = p->M1_feedforward * s->diff_outputs_torque_ref_limited +
+        M1_integral_before + M1_torque_error * p->M1_torque_gain;
     /* active damping (5.62), (5.78) */
-    const differential_gearboxes_real M1_damping_torque = -p->M1_damping * s->M1_speed_held + (0.5) * p->M1_damping
-        * s->M2_speed_held * p->diff_ratio * p->gearbox1_ratio / p->gearbox2_ratio + (0.5) * p->M1_damping *
-        s->M3_speed_held * p->diff_ratio * p->gearbox1_ratio / p->gearbox3_ratio;
+    const differential_gearboxes_real M1_twist_rate_M1 = -s->M1_speed_held + s->M1_twist_M2_speed * s->M2_speed_held
+        + s->M1_twist_M3_speed * s->M3_speed_held;
+    const differential_gearboxes_real M1_damping_torque = s->M1_damping_now * M1_twist_rate_M1;
+    /* with the acceleration torque (5.62), (5.78) */
+    const differential_gearboxes_real M1_wanted = s->M1_share_M1 * M1_virtual + s->acceleration_torque_now *
+        (s->M1_with_M2 * M2_net + s->M1_with_M3 * M3_net);
+    /* reserve for active damping */
+    const differential_gearboxes_real M1_kept = differential_gearboxes_max(M1_least * (1.0 - p->M1_damping_reserve),
+        differential_gearboxes_min(M1_wanted, M1_most * (1.0 - p->M1_damping_reserve)));
     /* torque-speed envelope */
-    const differential_gearboxes_real M1_command = differential_gearboxes_max(-M1_available,
-        differential_gearboxes_min(M1_available, M1_damping_torque + M1_kept));
+    const differential_gearboxes_real M1_command = differential_gearboxes_max(M1_least,
+        differential_gearboxes_min(M1_most, M1_damping_torque + M1_kept));
     /* limited integrator */
-    s->M1_torque_integral = ((M1_torque_error * (-M1_kept + M1_wanted) / (p->diff_ratio * p->gearbox1_ratio) > 0.0)
-        ? s->M1_torque_integral : differential_gearboxes_max(-p->M1_torque_integral_limit,
-        differential_gearboxes_min(p->M1_torque_integral_limit, M1_torque_error * p->M1_torque_integral_gain *
-        p->sample_time + s->M1_torque_integral)));
+    s->M1_torque_integral = ((s->M1_share * M1_torque_error * (-M1_kept + M1_wanted) > 0.0) ? M1_integral_before :
+        differential_gearboxes_max(-p->M1_torque_integral_limit,
+        differential_gearboxes_min(p->M1_torque_integral_limit, M1_integral_before + M1_torque_error *
+        s->M1_torque_growth)));
     const differential_gearboxes_real M1_largest = 1.01 * p->M1_torque_max;
     /* only sound torques leave */
     differential_gearboxes_real M1_released;
@@ -344,6 +489,8 @@ differential_gearboxes_controller_status differential_gearboxes_controller_step(
     out->M2_torque_ref = s->M2_last * s->authority;
     s->M3_last = ((s->fault > 0.5) ? s->M3_last : M3_released);
     out->M3_torque_ref = s->M3_last * s->authority;
+    /* start anew after a fault */
+    s->running = ((s->fault < 0.5) ? 1.0 : 0.0);
     /* The last line of defence, should parameters have been changed without an update. */
     if (!differential_gearboxes_is_finite(out->M1_torque_ref)) {
         out->M1_torque_ref = 0.0;

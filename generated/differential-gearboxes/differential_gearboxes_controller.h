@@ -23,12 +23,22 @@ typedef struct {
     differential_gearboxes_real M3_speed_plausible; /* largest plausible M3_speed (rad/s) */
     differential_gearboxes_real load_compensation; /* switch of the load torque compensation, 0 to 1 */
     differential_gearboxes_real acceleration_torque; /* switch of the acceleration torque, 0 to 1 */
+    differential_gearboxes_real switch_time; /* time in which a switch or a damping follows its parameter (s) */
+    differential_gearboxes_real M1_damping; /* active damping by M1 (5.81) (N m s/rad) */
     differential_gearboxes_real M1_speed_rated; /* speed up to which the largest torque is available (rad/s) */
+    differential_gearboxes_real M1_speed_max; /* largest admissible speed (rad/s) */
+    differential_gearboxes_real M1_speed_taper; /* speed above M1_speed_max over which accelerating torque is taken back (rad/s) */
     differential_gearboxes_real M1_torque_max; /* largest air-gap torque up to the rated speed (N m) */
     differential_gearboxes_real M2_speed_rated; /* speed up to which the largest torque is available (rad/s) */
+    differential_gearboxes_real M2_speed_max; /* largest admissible speed (rad/s) */
+    differential_gearboxes_real M2_speed_taper; /* speed above M2_speed_max over which accelerating torque is taken back (rad/s) */
     differential_gearboxes_real M2_torque_max; /* largest air-gap torque up to the rated speed (N m) */
     differential_gearboxes_real M3_speed_rated; /* speed up to which the largest torque is available (rad/s) */
+    differential_gearboxes_real M3_speed_max; /* largest admissible speed (rad/s) */
+    differential_gearboxes_real M3_speed_taper; /* speed above M3_speed_max over which accelerating torque is taken back (rad/s) */
     differential_gearboxes_real M3_torque_max; /* largest air-gap torque up to the rated speed (N m) */
+    differential_gearboxes_real M2_speed_ref_rate; /* largest rate of M2_speed_ref (rad/s^2) */
+    differential_gearboxes_real M3_speed_ref_rate; /* largest rate of M3_speed_ref (rad/s^2) */
     differential_gearboxes_real M2_speed_gain; /* proportional gain of the speed of M2 (N m s/rad) */
     differential_gearboxes_real M2_speed_integral_gain; /* integral gain of the speed of M2 (N m/rad) */
     differential_gearboxes_real M3_speed_gain; /* proportional gain of the speed of M3 (N m s/rad) */
@@ -41,18 +51,18 @@ typedef struct {
     differential_gearboxes_real gearbox3_inertia; /* moment of inertia, referred to the side named in inertia_side (kg m^2) */
     differential_gearboxes_real M1_sensor_inertia_M2; /* torque of M1 that its sensors miss, per acceleration of M2 (kg m^2) */
     differential_gearboxes_real M1_sensor_inertia_M3; /* torque of M1 that its sensors miss, per acceleration of M3 (kg m^2) */
-    differential_gearboxes_real diff_ratio; /* ratio i_d of input speed to mean output speed */
-    differential_gearboxes_real gearbox1_ratio; /* ratio of input speed to output speed; negative when the sense reverses */
-    differential_gearboxes_real M1_damping; /* active damping by M1 (5.81) (N m s/rad) */
     differential_gearboxes_real M1_inertia_estimate; /* inertia that M1 accelerates (5.78) (kg m^2) */
     differential_gearboxes_real M1_feedforward; /* share of the torque reference fed forward to M1 */
-    differential_gearboxes_real M1_torque_gain; /* proportional gain of the torque control of M1 */
-    differential_gearboxes_real M1_torque_integral_gain; /* integral gain of the torque control of M1 (1/s) */
-    differential_gearboxes_real M1_damping_reserve; /* share of the torque of M1 kept for damping */
-    differential_gearboxes_real M1_torque_integral_limit; /* limit of the torque integrator of M1 (N m) */
+    differential_gearboxes_real M1_torque_gain; /* proportional gain of the torque control of M1, above -1 (5.115a) */
+    differential_gearboxes_real diff_outputs_torque_ref_rate; /* largest rate of diff_outputs_torque_ref (N m/s) */
     differential_gearboxes_real M1_model_stiffness; /* stiffness in the torque model of M1 (N m/rad) */
     differential_gearboxes_real M1_model_damping; /* damping in the torque model of M1 (N m s/rad) */
     differential_gearboxes_real M1_torque_model; /* switch of the torque model of M1, 0 to 1 */
+    differential_gearboxes_real diff_ratio; /* ratio i_d of input speed to mean output speed */
+    differential_gearboxes_real gearbox1_ratio; /* ratio of input speed to output speed; negative when the sense reverses */
+    differential_gearboxes_real M1_torque_integral_gain; /* integral gain of the torque control of M1 (1/s) */
+    differential_gearboxes_real M1_damping_reserve; /* share of the torque of M1 kept for damping */
+    differential_gearboxes_real M1_torque_integral_limit; /* limit of the torque integrator of M1 (N m) */
 } differential_gearboxes_controller_params;
 
 /* Inputs of a step. */
@@ -85,15 +95,55 @@ typedef struct {
     differential_gearboxes_real M2_speed_held; /* last sound value of M2_speed (rad/s) */
     differential_gearboxes_real flange3_torque_held; /* last sound value of flange3_torque (N m) */
     differential_gearboxes_real M3_speed_held; /* last sound value of M3_speed (rad/s) */
+    differential_gearboxes_real load_compensation_now; /* load_compensation on its way to the parameter */
+    differential_gearboxes_real load_compensation_target; /* load_compensation as the last step found it */
+    differential_gearboxes_real load_compensation_step; /* how far load_compensation moves in a step */
+    differential_gearboxes_real running; /* 1 once a step was done without a fault */
+    differential_gearboxes_real acceleration_torque_now; /* acceleration_torque on its way to the parameter */
+    differential_gearboxes_real acceleration_torque_target; /* acceleration_torque as the last step found it */
+    differential_gearboxes_real acceleration_torque_step; /* how far acceleration_torque moves in a step */
+    differential_gearboxes_real M1_damping_now; /* M1_damping on its way to the parameter (N m s/rad) */
+    differential_gearboxes_real M1_damping_target; /* M1_damping as the last step found it (N m s/rad) */
+    differential_gearboxes_real M1_damping_step; /* how far M1_damping moves in a step (N m s/rad) */
+    differential_gearboxes_real M2_speed_ref_limited; /* M2_speed_ref behind its rate limiter (rad/s) */
+    differential_gearboxes_real M3_speed_ref_limited; /* M3_speed_ref behind its rate limiter (rad/s) */
     differential_gearboxes_real M2_speed_integral; /* integrator of the speed control of M2 (N m) */
     differential_gearboxes_real M3_speed_integral; /* integrator of the speed control of M3 (N m) */
-    differential_gearboxes_real M1_torque_integral; /* integrator of the torque control of M1 (N m) */
+    differential_gearboxes_real diff_outputs_torque_ref_limited; /* diff_outputs_torque_ref behind its rate limiter (N m) */
     differential_gearboxes_real M1_model_torque; /* torque that the feedforward to M1 should give (N m) */
     differential_gearboxes_real M1_model_rate; /* rate of the torque model of M1 (N m/s) */
+    differential_gearboxes_real M1_torque_integral; /* integrator of the torque control of M1 (N m) */
     differential_gearboxes_real M1_last; /* last torque of M1 before a fault (N m) */
     differential_gearboxes_real M2_last; /* last torque of M2 before a fault (N m) */
     differential_gearboxes_real M3_last; /* last torque of M3 before a fault (N m) */
     differential_gearboxes_real authority; /* 1, going to 0 along the ramp after a fault */
+    differential_gearboxes_real switch_share; /* share of a change per step */
+    differential_gearboxes_real M1_taper_slope; /* share of the torque of M1 per excess of speed (s/rad) */
+    differential_gearboxes_real M1_taper_end; /* share at standstill if it were not limited */
+    differential_gearboxes_real M2_taper_slope; /* share of the torque of M2 per excess of speed (s/rad) */
+    differential_gearboxes_real M2_taper_end; /* share at standstill if it were not limited */
+    differential_gearboxes_real M3_taper_slope; /* share of the torque of M3 per excess of speed (s/rad) */
+    differential_gearboxes_real M3_taper_end; /* share at standstill if it were not limited */
+    differential_gearboxes_real M2_speed_ref_step; /* largest change of M2_speed_ref in a step (rad/s) */
+    differential_gearboxes_real M3_speed_ref_step; /* largest change of M3_speed_ref in a step (rad/s) */
+    differential_gearboxes_real M2_speed_growth; /* growth of the integrator per error (N m s/rad) */
+    differential_gearboxes_real M2_speed_conditioning; /* growth per torque cut off */
+    differential_gearboxes_real M3_speed_growth; /* growth of the integrator per error (N m s/rad) */
+    differential_gearboxes_real M3_speed_conditioning; /* growth per torque cut off */
+    differential_gearboxes_real M1_read_M2; /* coefficient of the virtual input of M2 */
+    differential_gearboxes_real M1_read_M3; /* coefficient of the virtual input of M3 */
+    differential_gearboxes_real M1_unread_M2; /* the same per net torque */
+    differential_gearboxes_real M1_unread_M3; /* the same per net torque */
+    differential_gearboxes_real diff_outputs_torque_ref_step; /* largest change of diff_outputs_torque_ref in a step (N m) */
+    differential_gearboxes_real M1_model_pull; /* rate of the torque model per missing torque (1/s) */
+    differential_gearboxes_real M1_model_drag; /* decay of that rate in a step */
+    differential_gearboxes_real M1_share_M1; /* coefficient of the virtual input of M1 */
+    differential_gearboxes_real M1_with_M2; /* coefficient of the virtual input of M2 */
+    differential_gearboxes_real M1_with_M3; /* coefficient of the virtual input of M3 */
+    differential_gearboxes_real M1_twist_M2_speed; /* coefficient of M2_speed */
+    differential_gearboxes_real M1_twist_M3_speed; /* coefficient of M3_speed */
+    differential_gearboxes_real M1_torque_growth; /* growth of the integrator per error */
+    differential_gearboxes_real M1_share; /* share of its virtual input in M1 */
 } differential_gearboxes_controller_state;
 
 typedef enum {
@@ -121,36 +171,46 @@ typedef enum {
     differential_gearboxes_controller_bad_M3_speed_plausible = 2009, /* outside its range */
     differential_gearboxes_controller_bad_load_compensation = 2010, /* outside its range */
     differential_gearboxes_controller_bad_acceleration_torque = 2011, /* outside its range */
-    differential_gearboxes_controller_bad_M1_speed_rated = 2012, /* outside its range */
-    differential_gearboxes_controller_bad_M1_torque_max = 2013, /* outside its range */
-    differential_gearboxes_controller_bad_M2_speed_rated = 2014, /* outside its range */
-    differential_gearboxes_controller_bad_M2_torque_max = 2015, /* outside its range */
-    differential_gearboxes_controller_bad_M3_speed_rated = 2016, /* outside its range */
-    differential_gearboxes_controller_bad_M3_torque_max = 2017, /* outside its range */
-    differential_gearboxes_controller_bad_M2_speed_gain = 2018, /* outside its range */
-    differential_gearboxes_controller_bad_M2_speed_integral_gain = 2019, /* outside its range */
-    differential_gearboxes_controller_bad_M3_speed_gain = 2020, /* outside its range */
-    differential_gearboxes_controller_bad_M3_speed_integral_gain = 2021, /* outside its range */
-    differential_gearboxes_controller_bad_gearbox2_ratio = 2022, /* outside its range */
-    differential_gearboxes_controller_bad_gearbox3_ratio = 2023, /* outside its range */
-    differential_gearboxes_controller_bad_M2_inertia = 2024, /* outside its range */
-    differential_gearboxes_controller_bad_gearbox2_inertia = 2025, /* outside its range */
-    differential_gearboxes_controller_bad_M3_inertia = 2026, /* outside its range */
-    differential_gearboxes_controller_bad_gearbox3_inertia = 2027, /* outside its range */
-    differential_gearboxes_controller_bad_M1_sensor_inertia_M2 = 2028, /* outside its range */
-    differential_gearboxes_controller_bad_M1_sensor_inertia_M3 = 2029, /* outside its range */
-    differential_gearboxes_controller_bad_diff_ratio = 2030, /* outside its range */
-    differential_gearboxes_controller_bad_gearbox1_ratio = 2031, /* outside its range */
-    differential_gearboxes_controller_bad_M1_damping = 2032, /* outside its range */
-    differential_gearboxes_controller_bad_M1_inertia_estimate = 2033, /* outside its range */
-    differential_gearboxes_controller_bad_M1_feedforward = 2034, /* outside its range */
-    differential_gearboxes_controller_bad_M1_torque_gain = 2035, /* outside its range */
-    differential_gearboxes_controller_bad_M1_torque_integral_gain = 2036, /* outside its range */
-    differential_gearboxes_controller_bad_M1_damping_reserve = 2037, /* outside its range */
-    differential_gearboxes_controller_bad_M1_torque_integral_limit = 2038, /* outside its range */
-    differential_gearboxes_controller_bad_M1_model_stiffness = 2039, /* outside its range */
-    differential_gearboxes_controller_bad_M1_model_damping = 2040, /* outside its range */
-    differential_gearboxes_controller_bad_M1_torque_model = 2041, /* outside its range */
+    differential_gearboxes_controller_bad_switch_time = 2012, /* outside its range */
+    differential_gearboxes_controller_bad_M1_damping = 2013, /* outside its range */
+    differential_gearboxes_controller_bad_M1_speed_rated = 2014, /* outside its range */
+    differential_gearboxes_controller_bad_M1_speed_max = 2015, /* outside its range */
+    differential_gearboxes_controller_bad_M1_speed_taper = 2016, /* outside its range */
+    differential_gearboxes_controller_bad_M1_torque_max = 2017, /* outside its range */
+    differential_gearboxes_controller_bad_M2_speed_rated = 2018, /* outside its range */
+    differential_gearboxes_controller_bad_M2_speed_max = 2019, /* outside its range */
+    differential_gearboxes_controller_bad_M2_speed_taper = 2020, /* outside its range */
+    differential_gearboxes_controller_bad_M2_torque_max = 2021, /* outside its range */
+    differential_gearboxes_controller_bad_M3_speed_rated = 2022, /* outside its range */
+    differential_gearboxes_controller_bad_M3_speed_max = 2023, /* outside its range */
+    differential_gearboxes_controller_bad_M3_speed_taper = 2024, /* outside its range */
+    differential_gearboxes_controller_bad_M3_torque_max = 2025, /* outside its range */
+    differential_gearboxes_controller_bad_M2_speed_ref_rate = 2026, /* outside its range */
+    differential_gearboxes_controller_bad_M3_speed_ref_rate = 2027, /* outside its range */
+    differential_gearboxes_controller_bad_M2_speed_gain = 2028, /* outside its range */
+    differential_gearboxes_controller_bad_M2_speed_integral_gain = 2029, /* outside its range */
+    differential_gearboxes_controller_bad_M3_speed_gain = 2030, /* outside its range */
+    differential_gearboxes_controller_bad_M3_speed_integral_gain = 2031, /* outside its range */
+    differential_gearboxes_controller_bad_gearbox2_ratio = 2032, /* outside its range */
+    differential_gearboxes_controller_bad_gearbox3_ratio = 2033, /* outside its range */
+    differential_gearboxes_controller_bad_M2_inertia = 2034, /* outside its range */
+    differential_gearboxes_controller_bad_gearbox2_inertia = 2035, /* outside its range */
+    differential_gearboxes_controller_bad_M3_inertia = 2036, /* outside its range */
+    differential_gearboxes_controller_bad_gearbox3_inertia = 2037, /* outside its range */
+    differential_gearboxes_controller_bad_M1_sensor_inertia_M2 = 2038, /* outside its range */
+    differential_gearboxes_controller_bad_M1_sensor_inertia_M3 = 2039, /* outside its range */
+    differential_gearboxes_controller_bad_M1_inertia_estimate = 2040, /* outside its range */
+    differential_gearboxes_controller_bad_M1_feedforward = 2041, /* outside its range */
+    differential_gearboxes_controller_bad_M1_torque_gain = 2042, /* outside its range */
+    differential_gearboxes_controller_bad_diff_outputs_torque_ref_rate = 2043, /* outside its range */
+    differential_gearboxes_controller_bad_M1_model_stiffness = 2044, /* outside its range */
+    differential_gearboxes_controller_bad_M1_model_damping = 2045, /* outside its range */
+    differential_gearboxes_controller_bad_M1_torque_model = 2046, /* outside its range */
+    differential_gearboxes_controller_bad_diff_ratio = 2047, /* outside its range */
+    differential_gearboxes_controller_bad_gearbox1_ratio = 2048, /* outside its range */
+    differential_gearboxes_controller_bad_M1_torque_integral_gain = 2049, /* outside its range */
+    differential_gearboxes_controller_bad_M1_damping_reserve = 2050, /* outside its range */
+    differential_gearboxes_controller_bad_M1_torque_integral_limit = 2051, /* outside its range */
 } differential_gearboxes_controller_status;
 
 extern const differential_gearboxes_controller_params differential_gearboxes_controller_defaults;

@@ -18,6 +18,7 @@ typedef differential_gearboxes_real real;
 real differential_gearboxes_floor(real a) { return floor(a); }
 real differential_gearboxes_exp(real a) { return exp(a); }
 real differential_gearboxes_sin(real a) { return sin(a); }
+real differential_gearboxes_sqrt(real a) { return sqrt(a); }
 
 void differential_gearboxes_zero(size_t bytes, void *array) { memset(array, 0, bytes); }
 

@@ -33,6 +33,7 @@ static inline differential_gearboxes_real differential_gearboxes_clamp(different
 differential_gearboxes_real differential_gearboxes_floor(differential_gearboxes_real a);
 differential_gearboxes_real differential_gearboxes_exp(differential_gearboxes_real a);
 differential_gearboxes_real differential_gearboxes_sin(differential_gearboxes_real a);
+differential_gearboxes_real differential_gearboxes_sqrt(differential_gearboxes_real a);
 
 /* Number of rows that n rows take in memory. */
 static inline int differential_gearboxes_padded(int n) { return (n + 3) / 4 * 4; }

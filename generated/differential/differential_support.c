@@ -18,6 +18,7 @@ typedef differential_real real;
 real differential_floor(real a) { return floor(a); }
 real differential_exp(real a) { return exp(a); }
 real differential_sin(real a) { return sin(a); }
+real differential_sqrt(real a) { return sqrt(a); }
 
 void differential_zero(size_t bytes, void *array) { memset(array, 0, bytes); }
 

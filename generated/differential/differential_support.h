@@ -33,6 +33,7 @@ static inline differential_real differential_clamp(differential_real value, diff
 differential_real differential_floor(differential_real a);
 differential_real differential_exp(differential_real a);
 differential_real differential_sin(differential_real a);
+differential_real differential_sqrt(differential_real a);
 
 /* Number of rows that n rows take in memory. */
 static inline int differential_padded(int n) { return (n + 3) / 4 * 4; }

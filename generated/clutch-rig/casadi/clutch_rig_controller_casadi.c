@@ -19,6 +19,7 @@
 
 /* Add prefix to internal symbols */
 #define casadi_f0 CASADI_PREFIX(f0)
+#define casadi_f1 CASADI_PREFIX(f1)
 #define casadi_fabs CASADI_PREFIX(fabs)
 #define casadi_fmax CASADI_PREFIX(fmax)
 #define casadi_fmin CASADI_PREFIX(fmin)
@@ -27,6 +28,7 @@
 #define casadi_s2 CASADI_PREFIX(s2)
 #define casadi_s3 CASADI_PREFIX(s3)
 #define casadi_s4 CASADI_PREFIX(s4)
+#define casadi_zeros CASADI_PREFIX(zeros)
 
 /* Symbol visibility in DLLs */
 #ifndef CASADI_SYMBOL_EXPORT
@@ -79,19 +81,182 @@ CASADI_SYMBOL_EXPORT void clutch_rig_controller_casadi_casadi_version(int* major
 CASADI_SYMBOL_EXPORT int clutch_rig_controller_casadi_casadi_int_size(void) { return (int) sizeof(casadi_int); }
 CASADI_SYMBOL_EXPORT int clutch_rig_controller_casadi_casadi_real_size(void) { return (int) sizeof(casadi_real); }
 
-static const casadi_int casadi_s0[3] = {18, 1, 1};
-static const casadi_int casadi_s1[3] = {0, 1, 1};
-static const casadi_int casadi_s2[3] = {12, 1, 1};
+static const casadi_int casadi_s0[3] = {25, 1, 1};
+static const casadi_int casadi_s1[3] = {11, 1, 1};
+static const casadi_int casadi_s2[3] = {18, 1, 1};
 static const casadi_int casadi_s3[3] = {6, 1, 1};
 static const casadi_int casadi_s4[3] = {2, 1, 1};
 
-/* controller_step:(parameters[18],derived[0],states[12],inputs[6])->(next_states[12],outputs[2]) */
+static const casadi_real casadi_zeros[25] = 
+  {0.};
+
+/* controller_prepare:(parameters[25])->(derived[11]) */
 static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real w1, w2, w3, w4;
+  const casadi_real *wr0;
+  /* #0: @0 = input[0][0] */
+  wr0 = arg[0] ? arg[0] : casadi_zeros;
+  /* #1: @1 = @0[0] */
+  w1 = wr0[0];
+  /* #2: @2 = @0[10] */
+  w2 = wr0[10];
+  /* #3: @2 = (@1/@2) */
+  w2  = (w1/w2);
+  /* #4: output[0][0] = @2 */
+  if (res[0]) res[0][0] = w2;
+  /* #5: @2 = @0[13] */
+  w2 = wr0[13];
+  /* #6: @3 = (1./@2) */
+  w3 = (1./ w2 );
+  /* #7: output[0][1] = @3 */
+  if (res[0]) res[0][1] = w3;
+  /* #8: @3 = 1 */
+  w3 = 1.;
+  /* #9: @4 = @0[12] */
+  w4 = wr0[12];
+  /* #10: @4 = (@4/@2) */
+  w4 /= w2;
+  /* #11: @3 = (@3+@4) */
+  w3 += w4;
+  /* #12: output[0][2] = @3 */
+  if (res[0]) res[0][2] = w3;
+  /* #13: @3 = @0[17] */
+  w3 = wr0[17];
+  /* #14: @4 = (1./@3) */
+  w4 = (1./ w3 );
+  /* #15: output[0][3] = @4 */
+  if (res[0]) res[0][3] = w4;
+  /* #16: @4 = 1 */
+  w4 = 1.;
+  /* #17: @2 = @0[16] */
+  w2 = wr0[16];
+  /* #18: @2 = (@2/@3) */
+  w2 /= w3;
+  /* #19: @4 = (@4+@2) */
+  w4 += w2;
+  /* #20: output[0][4] = @4 */
+  if (res[0]) res[0][4] = w4;
+  /* #21: @4 = @0[19] */
+  w4 = wr0[19];
+  /* #22: @4 = (@4*@1) */
+  w4 *= w1;
+  /* #23: output[0][5] = @4 */
+  if (res[0]) res[0][5] = w4;
+  /* #24: @4 = @0[20] */
+  w4 = wr0[20];
+  /* #25: @4 = (@4*@1) */
+  w4 *= w1;
+  /* #26: output[0][6] = @4 */
+  if (res[0]) res[0][6] = w4;
+  /* #27: @4 = @0[22] */
+  w4 = wr0[22];
+  /* #28: @2 = (@4*@1) */
+  w2  = (w4*w1);
+  /* #29: output[0][7] = @2 */
+  if (res[0]) res[0][7] = w2;
+  /* #30: @4 = (@4*@1) */
+  w4 *= w1;
+  /* #31: @2 = @0[21] */
+  w2 = wr0[21];
+  /* #32: @4 = (@4/@2) */
+  w4 /= w2;
+  /* #33: output[0][8] = @4 */
+  if (res[0]) res[0][8] = w4;
+  /* #34: @4 = @0[24] */
+  w4 = wr0[24];
+  /* #35: @2 = (@4*@1) */
+  w2  = (w4*w1);
+  /* #36: output[0][9] = @2 */
+  if (res[0]) res[0][9] = w2;
+  /* #37: @4 = (@4*@1) */
+  w4 *= w1;
+  /* #38: @1 = @0[23] */
+  w1 = wr0[23];
+  /* #39: @4 = (@4/@1) */
+  w4 /= w1;
+  /* #40: output[0][10] = @4 */
+  if (res[0]) res[0][10] = w4;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int controller_prepare(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f0(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int controller_prepare_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void controller_prepare_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void controller_prepare_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void controller_prepare_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int controller_prepare_n_in(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_int controller_prepare_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real controller_prepare_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* controller_prepare_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "parameters";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* controller_prepare_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "derived";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* controller_prepare_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* controller_prepare_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s1;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int controller_prepare_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 3;
+  if (sz_res) *sz_res = 2;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int controller_prepare_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 3*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 2*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* controller_step:(parameters[25],derived[11],states[18],inputs[6])->(next_states[18],outputs[2]) */
+static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
-  casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32;
-  a00=arg[0]? arg[0][12] : 0;
-  a01=arg[0]? arg[0][13] : 0;
+  casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
+  a00=arg[0]? arg[0][15] : 0;
+  a01=arg[0]? arg[0][18] : 0;
   a02=(a00*a01);
   a03=arg[3]? arg[3][5] : 0;
   a04=casadi_fabs(a03);
@@ -105,228 +270,345 @@ static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a05=casadi_fabs(a03);
   a00=casadi_fmax(a00,a05);
   a02=(a02/a00);
-  a00=(-a02);
-  a05=arg[2]? arg[2][8] : 0;
-  a06=arg[3]? arg[3][1] : 0;
-  a07=casadi_fabs(a06);
-  a08=arg[0]? arg[0][3] : 0;
-  a07=(a07<=a08);
-  a06=(a07?a06:0);
-  a08=(!a07);
-  a09=arg[2]? arg[2][2] : 0;
-  a08=(a08?a09:0);
-  a06=(a06+a08);
-  a08=(a06-a03);
-  a09=arg[0]? arg[0][16] : 0;
-  a10=(a08*a09);
-  a10=(a05+a10);
-  a11=arg[3]? arg[3][4] : 0;
-  a12=casadi_fabs(a11);
-  a13=arg[0]? arg[0][6] : 0;
-  a12=(a12<=a13);
-  a11=(a12?a11:0);
-  a13=(!a12);
-  a14=arg[2]? arg[2][5] : 0;
-  a13=(a13?a14:0);
-  a11=(a11+a13);
-  a13=arg[0]? arg[0][8] : 0;
-  a14=(a11*a13);
-  a15=(a10-a14);
-  a02=casadi_fmin(a02,a15);
-  a00=casadi_fmax(a00,a02);
-  a02=casadi_fabs(a00);
-  a15=1.0100000000000000e+00;
-  a01=(a15*a01);
+  a00=0.;
+  a05=1.;
+  a06=arg[1]? arg[1][4] : 0;
+  a07=arg[1]? arg[1][3] : 0;
+  a08=(a03*a07);
+  a08=(a06+a08);
+  a08=casadi_fmin(a05,a08);
+  a08=casadi_fmax(a00,a08);
+  a08=(a02*a08);
+  a08=(-a08);
+  a07=(a03*a07);
+  a06=(a06-a07);
+  a06=casadi_fmin(a05,a06);
+  a06=casadi_fmax(a00,a06);
+  a02=(a02*a06);
+  a06=arg[0]? arg[0][24] : 0;
+  a06=(a00<a06);
+  a07=arg[3]? arg[3][4] : 0;
+  a09=casadi_fabs(a07);
+  a10=arg[0]? arg[0][6] : 0;
+  a09=(a09<=a10);
+  a07=(a09?a07:0);
+  a10=(!a09);
+  a11=arg[2]? arg[2][5] : 0;
+  a10=(a10?a11:0);
+  a07=(a07+a10);
+  a10=5.0000000000000000e-01;
+  a11=arg[2]? arg[2][10] : 0;
+  a12=(a10<a11);
+  a13=arg[2]? arg[2][7] : 0;
+  a13=(a12?a13:0);
+  a12=(!a12);
+  a14=arg[0]? arg[0][8] : 0;
+  a12=(a12?a14:0);
+  a13=(a13+a12);
+  a12=(a14-a13);
+  a15=casadi_fabs(a12);
+  a16=arg[2]? arg[2][8] : 0;
+  a16=(a14!=a16);
+  a17=arg[1]? arg[1][0] : 0;
+  a18=casadi_fabs(a12);
+  a17=(a17*a18);
+  a18=9.9999999999999995e-07;
+  a19=casadi_fabs(a14);
+  a19=(a18*a19);
+  a20=casadi_fabs(a13);
+  a18=(a18*a20);
+  a19=(a19+a18);
+  a17=casadi_fmax(a17,a19);
+  a17=(a16?a17:0);
+  a16=(!a16);
+  a19=arg[2]? arg[2][9] : 0;
+  a16=(a16?a19:0);
+  a17=(a17+a16);
+  a15=(a15<=a17);
+  a16=(a15?a14:0);
+  a15=(!a15);
+  a19=(a00<a12);
+  a18=(a13+a17);
+  a18=(a19?a18:0);
+  a19=(!a19);
+  a20=(a13-a17);
+  a19=(a19?a20:0);
+  a18=(a18+a19);
+  a15=(a15?a18:0);
+  a16=(a16+a15);
+  a15=(a13-a16);
+  a15=(a07*a15);
+  a15=(-a15);
+  a06=(a06?a15:0);
+  a15=(a10<a11);
+  a18=arg[2]? arg[2][14] : 0;
+  a15=(a15?a18:0);
+  a06=(a06+a15);
+  a15=(a10<a11);
+  a18=arg[2]? arg[2][12] : 0;
+  a18=(a15?a18:0);
+  a15=(!a15);
+  a15=(a15?a03:0);
+  a18=(a18+a15);
+  a15=arg[1]? arg[1][6] : 0;
+  a19=(-a15);
+  a20=arg[3]? arg[3][1] : 0;
+  a21=casadi_fabs(a20);
+  a22=arg[0]? arg[0][3] : 0;
+  a21=(a21<=a22);
+  a20=(a21?a20:0);
+  a22=(!a21);
+  a23=arg[2]? arg[2][2] : 0;
+  a22=(a22?a23:0);
+  a20=(a20+a22);
+  a22=(a20-a18);
+  a15=casadi_fmin(a15,a22);
+  a19=casadi_fmax(a19,a15);
+  a18=(a18+a19);
+  a19=(a18-a03);
+  a15=arg[0]? arg[0][23] : 0;
+  a15=(a19*a15);
+  a15=(a06+a15);
+  a22=(a07*a16);
+  a22=(a15-a22);
+  a02=casadi_fmin(a02,a22);
+  a08=casadi_fmax(a08,a02);
+  a02=casadi_fabs(a08);
+  a22=1.0100000000000000e+00;
+  a01=(a22*a01);
   a02=(a02<=a01);
-  a01=1.;
-  a16=(a02?a01:0);
-  a17=5.0000000000000000e-01;
-  a16=(a16<a17);
-  a18=arg[0]? arg[0][10] : 0;
-  a19=arg[0]? arg[0][11] : 0;
-  a20=(a18*a19);
-  a21=arg[3]? arg[3][2] : 0;
-  a22=casadi_fabs(a21);
-  a23=arg[0]? arg[0][4] : 0;
-  a22=(a22<=a23);
-  a21=(a22?a21:0);
-  a23=(!a22);
-  a24=arg[2]? arg[2][3] : 0;
-  a23=(a23?a24:0);
-  a21=(a21+a23);
-  a23=casadi_fabs(a21);
-  a18=casadi_fmax(a18,a23);
-  a20=(a20/a18);
-  a18=(-a20);
-  a23=arg[2]? arg[2][7] : 0;
-  a24=arg[3]? arg[3][0] : 0;
-  a25=casadi_fabs(a24);
-  a26=arg[0]? arg[0][2] : 0;
-  a25=(a25<=a26);
-  a24=(a25?a24:0);
-  a26=(!a25);
-  a27=arg[2]? arg[2][1] : 0;
-  a26=(a26?a27:0);
-  a24=(a24+a26);
-  a26=(a24-a21);
-  a27=arg[0]? arg[0][14] : 0;
-  a28=(a26*a27);
-  a28=(a23+a28);
-  a29=arg[3]? arg[3][3] : 0;
-  a30=casadi_fabs(a29);
+  a01=(a02?a05:0);
+  a01=(a01<a10);
+  a23=arg[0]? arg[0][11] : 0;
+  a24=arg[0]? arg[0][14] : 0;
+  a25=(a23*a24);
+  a26=arg[3]? arg[3][2] : 0;
+  a27=casadi_fabs(a26);
+  a28=arg[0]? arg[0][4] : 0;
+  a27=(a27<=a28);
+  a26=(a27?a26:0);
+  a28=(!a27);
+  a29=arg[2]? arg[2][3] : 0;
+  a28=(a28?a29:0);
+  a26=(a26+a28);
+  a28=casadi_fabs(a26);
+  a23=casadi_fmax(a23,a28);
+  a25=(a25/a23);
+  a23=arg[1]? arg[1][2] : 0;
+  a28=arg[1]? arg[1][1] : 0;
+  a29=(a26*a28);
+  a29=(a23+a29);
+  a29=casadi_fmin(a05,a29);
+  a29=casadi_fmax(a00,a29);
+  a29=(a25*a29);
+  a29=(-a29);
+  a28=(a26*a28);
+  a23=(a23-a28);
+  a23=casadi_fmin(a05,a23);
+  a23=casadi_fmax(a00,a23);
+  a25=(a25*a23);
+  a23=arg[0]? arg[0][22] : 0;
+  a23=(a00<a23);
+  a28=arg[3]? arg[3][3] : 0;
+  a30=casadi_fabs(a28);
   a31=arg[0]? arg[0][5] : 0;
   a30=(a30<=a31);
-  a29=(a30?a29:0);
+  a28=(a30?a28:0);
   a31=(!a30);
   a32=arg[2]? arg[2][4] : 0;
   a31=(a31?a32:0);
-  a29=(a29+a31);
-  a13=(a29*a13);
-  a31=(a28+a13);
-  a20=casadi_fmin(a20,a31);
-  a18=casadi_fmax(a18,a20);
-  a20=casadi_fabs(a18);
-  a15=(a15*a19);
-  a20=(a20<=a15);
-  a15=(a20?a01:0);
-  a15=(a15<a17);
-  a04=(a04?a01:0);
-  a04=(a04<a17);
-  a22=(a22?a01:0);
-  a22=(a22<a17);
-  a07=(a07?a01:0);
-  a07=(a07<a17);
-  a25=(a25?a01:0);
-  a25=(a25<a17);
-  a19=arg[2]? arg[2][0] : 0;
-  a31=(a19<a17);
-  a25=(a25&&a31);
-  a31=(a25?a01:0);
+  a28=(a28+a31);
+  a13=(a13-a16);
+  a13=(a28*a13);
+  a23=(a23?a13:0);
+  a13=(a10<a11);
+  a31=arg[2]? arg[2][13] : 0;
+  a13=(a13?a31:0);
+  a23=(a23+a13);
+  a11=(a10<a11);
+  a13=arg[2]? arg[2][11] : 0;
+  a13=(a11?a13:0);
+  a11=(!a11);
+  a11=(a11?a26:0);
+  a13=(a13+a11);
+  a11=arg[1]? arg[1][5] : 0;
+  a31=(-a11);
+  a32=arg[3]? arg[3][0] : 0;
+  a33=casadi_fabs(a32);
+  a34=arg[0]? arg[0][2] : 0;
+  a33=(a33<=a34);
+  a32=(a33?a32:0);
+  a34=(!a33);
+  a35=arg[2]? arg[2][1] : 0;
+  a34=(a34?a35:0);
+  a32=(a32+a34);
+  a34=(a32-a13);
+  a11=casadi_fmin(a11,a34);
+  a31=casadi_fmax(a31,a11);
+  a13=(a13+a31);
+  a31=(a13-a26);
+  a11=arg[0]? arg[0][21] : 0;
+  a11=(a31*a11);
+  a11=(a23+a11);
+  a34=(a28*a16);
+  a34=(a11+a34);
+  a25=casadi_fmin(a25,a34);
+  a29=casadi_fmax(a29,a25);
+  a25=casadi_fabs(a29);
+  a22=(a22*a24);
+  a25=(a25<=a22);
+  a22=(a25?a05:0);
+  a22=(a22<a10);
+  a04=(a04?a05:0);
+  a04=(a04<a10);
+  a27=(a27?a05:0);
+  a27=(a27<a10);
+  a21=(a21?a05:0);
+  a21=(a21<a10);
+  a33=(a33?a05:0);
+  a33=(a33<a10);
+  a24=arg[2]? arg[2][0] : 0;
+  a34=(a24<a10);
+  a33=(a33&&a34);
+  a34=(a33?a05:0);
+  a33=(!a33);
+  a33=(a33?a24:0);
+  a34=(a34+a33);
+  a33=(a34<a10);
+  a21=(a21&&a33);
+  a33=2.;
+  a33=(a21?a33:0);
+  a21=(!a21);
+  a21=(a21?a34:0);
+  a33=(a33+a21);
+  a21=(a33<a10);
+  a27=(a27&&a21);
+  a21=3.;
+  a21=(a27?a21:0);
+  a27=(!a27);
+  a27=(a27?a33:0);
+  a21=(a21+a27);
+  a27=(a21<a10);
+  a30=(a30?a05:0);
+  a30=(a30<a10);
+  a27=(a27&&a30);
+  a30=4.;
+  a30=(a27?a30:0);
+  a27=(!a27);
+  a27=(a27?a21:0);
+  a30=(a30+a27);
+  a27=(a30<a10);
+  a09=(a09?a05:0);
+  a09=(a09<a10);
+  a27=(a27&&a09);
+  a09=5.;
+  a09=(a27?a09:0);
+  a27=(!a27);
+  a27=(a27?a30:0);
+  a09=(a09+a27);
+  a27=(a09<a10);
+  a04=(a04&&a27);
+  a27=6.;
+  a27=(a04?a27:0);
+  a04=(!a04);
+  a04=(a04?a09:0);
+  a27=(a27+a04);
+  a04=(a27<a10);
+  a22=(a22&&a04);
+  a04=7.;
+  a04=(a22?a04:0);
+  a22=(!a22);
+  a22=(a22?a27:0);
+  a04=(a04+a22);
+  a22=(a04<a10);
+  a01=(a01&&a22);
+  a22=8.;
+  a22=(a01?a22:0);
+  a01=(!a01);
+  a01=(a01?a04:0);
+  a22=(a22+a01);
+  if (res[0]!=0) res[0][0]=a22;
+  if (res[0]!=0) res[0][1]=a32;
+  if (res[0]!=0) res[0][2]=a20;
+  if (res[0]!=0) res[0][3]=a26;
+  if (res[0]!=0) res[0][4]=a28;
+  if (res[0]!=0) res[0][5]=a07;
+  if (res[0]!=0) res[0][6]=a03;
+  if (res[0]!=0) res[0][7]=a16;
+  if (res[0]!=0) res[0][8]=a14;
+  a12=casadi_fabs(a12);
+  a12=(a12<=a17);
+  a12=(!a12);
+  a12=(a12?a17:0);
+  if (res[0]!=0) res[0][9]=a12;
+  a12=(a22<a10);
+  a12=(a12?a05:0);
+  if (res[0]!=0) res[0][10]=a12;
+  if (res[0]!=0) res[0][11]=a13;
+  if (res[0]!=0) res[0][12]=a18;
+  a18=arg[1]? arg[1][8] : 0;
+  a28=(a28*a16);
+  a28=(a29-a28);
+  a28=(a28-a11);
+  a18=(a18*a28);
+  a23=(a23+a18);
+  a18=arg[1]? arg[1][7] : 0;
+  a31=(a31*a18);
+  a23=(a23+a31);
+  if (res[0]!=0) res[0][13]=a23;
+  a23=arg[1]? arg[1][10] : 0;
+  a07=(a07*a16);
+  a07=(a08+a07);
+  a07=(a07-a15);
+  a23=(a23*a07);
+  a06=(a06+a23);
+  a23=arg[1]? arg[1][9] : 0;
+  a19=(a19*a23);
+  a06=(a06+a19);
+  if (res[0]!=0) res[0][14]=a06;
+  a06=(a10<a22);
+  a19=arg[2]? arg[2][15] : 0;
+  a23=(a06?a19:0);
+  a06=(!a06);
+  a29=(a25?a29:0);
   a25=(!a25);
   a25=(a25?a19:0);
-  a31=(a31+a25);
-  a25=(a31<a17);
-  a07=(a07&&a25);
-  a25=2.;
-  a25=(a07?a25:0);
-  a07=(!a07);
-  a07=(a07?a31:0);
-  a25=(a25+a07);
-  a07=(a25<a17);
-  a22=(a22&&a07);
-  a07=3.;
-  a07=(a22?a07:0);
-  a22=(!a22);
-  a22=(a22?a25:0);
-  a07=(a07+a22);
-  a22=(a07<a17);
-  a30=(a30?a01:0);
-  a30=(a30<a17);
-  a22=(a22&&a30);
-  a30=4.;
-  a30=(a22?a30:0);
-  a22=(!a22);
-  a22=(a22?a07:0);
-  a30=(a30+a22);
-  a22=(a30<a17);
-  a12=(a12?a01:0);
-  a12=(a12<a17);
-  a22=(a22&&a12);
-  a12=5.;
-  a12=(a22?a12:0);
-  a22=(!a22);
-  a22=(a22?a30:0);
-  a12=(a12+a22);
-  a22=(a12<a17);
-  a04=(a04&&a22);
-  a22=6.;
-  a22=(a04?a22:0);
-  a04=(!a04);
-  a04=(a04?a12:0);
-  a22=(a22+a04);
-  a04=(a22<a17);
-  a15=(a15&&a04);
-  a04=7.;
-  a04=(a15?a04:0);
-  a15=(!a15);
-  a15=(a15?a22:0);
-  a04=(a04+a15);
-  a15=(a04<a17);
-  a16=(a16&&a15);
-  a15=8.;
-  a15=(a16?a15:0);
-  a16=(!a16);
-  a16=(a16?a04:0);
-  a15=(a15+a16);
-  if (res[0]!=0) res[0][0]=a15;
-  if (res[0]!=0) res[0][1]=a24;
-  if (res[0]!=0) res[0][2]=a06;
-  if (res[0]!=0) res[0][3]=a21;
-  if (res[0]!=0) res[0][4]=a29;
-  if (res[0]!=0) res[0][5]=a11;
-  if (res[0]!=0) res[0][6]=a03;
-  a03=arg[0]? arg[0][15] : 0;
-  a11=arg[0]? arg[0][0] : 0;
-  a03=(a03*a11);
-  a13=(a18-a13);
-  a13=(a13-a28);
-  a13=(a13/a27);
-  a26=(a26+a13);
-  a03=(a03*a26);
-  a23=(a23+a03);
-  if (res[0]!=0) res[0][7]=a23;
-  a23=arg[0]? arg[0][17] : 0;
-  a23=(a23*a11);
-  a14=(a00+a14);
-  a14=(a14-a10);
-  a14=(a14/a09);
-  a08=(a08+a14);
-  a23=(a23*a08);
-  a05=(a05+a23);
-  if (res[0]!=0) res[0][8]=a05;
-  a05=(a17<a15);
-  a23=arg[2]? arg[2][9] : 0;
-  a08=(a05?a23:0);
-  a05=(!a05);
-  a18=(a20?a18:0);
-  a20=(!a20);
-  a20=(a20?a23:0);
-  a18=(a18+a20);
-  a05=(a05?a18:0);
-  a08=(a08+a05);
-  if (res[0]!=0) res[0][9]=a08;
-  a05=(a17<a15);
-  a18=arg[2]? arg[2][10] : 0;
-  a20=(a05?a18:0);
-  a05=(!a05);
-  a00=(a02?a00:0);
+  a29=(a29+a25);
+  a06=(a06?a29:0);
+  a23=(a23+a06);
+  if (res[0]!=0) res[0][15]=a23;
+  a06=(a10<a22);
+  a29=arg[2]? arg[2][16] : 0;
+  a25=(a06?a29:0);
+  a06=(!a06);
+  a08=(a02?a08:0);
   a02=(!a02);
-  a02=(a02?a18:0);
-  a00=(a00+a02);
-  a05=(a05?a00:0);
-  a20=(a20+a05);
-  if (res[0]!=0) res[0][10]=a20;
-  a17=(a17<a15);
-  a15=0.;
-  a05=arg[2]? arg[2][11] : 0;
-  a00=arg[0]? arg[0][1] : 0;
-  a11=(a11/a00);
-  a11=(a05-a11);
-  a15=casadi_fmax(a15,a11);
-  a15=(a17?a15:0);
-  a17=(!a17);
-  a17=(a17?a05:0);
-  a15=(a15+a17);
-  if (res[0]!=0) res[0][11]=a15;
-  a08=(a08*a15);
-  if (res[1]!=0) res[1][0]=a08;
-  a20=(a20*a15);
-  if (res[1]!=0) res[1][1]=a20;
+  a02=(a02?a29:0);
+  a08=(a08+a02);
+  a06=(a06?a08:0);
+  a25=(a25+a06);
+  if (res[0]!=0) res[0][16]=a25;
+  a10=(a10<a22);
+  a22=arg[2]? arg[2][17] : 0;
+  a06=arg[0]? arg[0][0] : 0;
+  a08=arg[0]? arg[0][1] : 0;
+  a06=(a06/a08);
+  a06=(a22-a06);
+  a00=casadi_fmax(a00,a06);
+  a00=(a10?a00:0);
+  a10=(!a10);
+  a10=(a10?a22:0);
+  a00=(a00+a10);
+  if (res[0]!=0) res[0][17]=a00;
+  a23=(a23*a00);
+  if (res[1]!=0) res[1][0]=a23;
+  a25=(a25*a00);
+  if (res[1]!=0) res[1][1]=a25;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int controller_step(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f0(arg, res, iw, w, mem);
+  return casadi_f1(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int controller_step_checkout(void) {
