@@ -200,6 +200,9 @@ class Drive:
         First-order lag (s); None for an ideal inverter.
     dead_time : sympy.Expr or None
         Dead time (s); None for an ideal inverter.
+    computation_delay : sympy.Expr or None
+        Time from the sampling of the sensors until the command that follows from them reaches the inverter (s); None
+        if it takes none.
     """
 
     torque_max: sp.Expr
@@ -207,6 +210,13 @@ class Drive:
     speed_max: sp.Expr
     time_constant: sp.Expr | None = None
     dead_time: sp.Expr | None = None
+    computation_delay: sp.Expr | None = None
+
+    @property
+    def delay(self) -> sp.Expr | None:
+        """Time from the sampling of the sensors until a command acts: computation and dead time (s); None if none."""
+        parts = [part for part in (self.dead_time, self.computation_delay) if part is not None]
+        return sum(parts, sp.Integer(0)) if parts else None
 
 
 @dataclass(frozen=True)
@@ -227,11 +237,15 @@ class SensorKind(Enum):
 
 @dataclass(frozen=True)
 class Sensor:
-    """A measured signal: the speed of a velocity, or the torque of a spring, named in `of`."""
+    """A measured signal: the speed of a velocity, or the torque of a spring, named in `of`.
+
+    With a `time_constant` (s) the signal passes a first-order low pass before it is measured.
+    """
 
     name: str
     kind: SensorKind
     of: str
+    time_constant: sp.Expr | None = None
 
 
 @dataclass(frozen=True)

@@ -11,11 +11,13 @@ Equations
     Inverter, model ``lag``: :math:`\tau \dot T_{ag} + T_{ag} = T_{ag,ref}(t - t_d)`; model ``ideal``:
     :math:`T_{ag} = T_{ag,ref}`. The reference is limited to the envelope first: `torque_max` up to
     `speed_rated`, constant power above (source, Figure 7.1).
+
+    With a `sensor` the measured speed :math:`y` follows that of the rotor: :math:`\tau \dot y + y = \omega`.
 Assumptions
     Stiff rotor; no iron or windage losses; the torque loop is the same at every speed, which holds until the
     inverter runs out of voltage (source, Section 3.2, Figure 3.4).
 Reference
-    (3.3) and Section 3.2; dead time and lag as in Section 3.10.
+    (3.3) and Section 3.2; dead time and lag as in Section 3.10; filters, Section 2.3.
 """
 
 from __future__ import annotations
@@ -26,6 +28,7 @@ import sympy as sp
 from pydantic import model_validator
 
 from ptgen.components.component import Component, Flange, Quantity, Record
+from ptgen.components.sensor_partial import SensorPartial
 from ptgen.elements import Body, Drive, Elements, Sensor, SensorKind, Torque
 
 __all__ = ["Inverter", "Machine"]
@@ -64,6 +67,8 @@ class Machine(Component):
     speed_rated: Annotated[float, Quantity("rad/s", "speed up to which the largest torque is available")]
     speed_max: Annotated[float, Quantity("rad/s", "largest admissible speed")]
     inverter: Inverter = Inverter(model="ideal")
+    sensor: SensorPartial | None = None
+    """The low pass of the encoder's speed; without it the sensor is ideal."""
 
     @model_validator(mode="after")
     def _ordered(self) -> Machine:
@@ -81,8 +86,9 @@ class Machine(Component):
             time_constant=self.symbol(name, "inverter", "time_constant") if lag else None,
             dead_time=self.symbol(name, "inverter", "dead_time") if lag else None,
         )
+        time_constant = None if self.sensor is None else self.symbol(name, "sensor", "time_constant")
         return Elements(
             bodies=(Body(shaft, self.symbol(name, "inertia")),),
             torques=(Torque(name, {shaft: sp.Integer(1)}, drive),),
-            sensors=(Sensor(f"{name}_speed", SensorKind.SPEED, shaft),),
+            sensors=(Sensor(f"{name}_speed", SensorKind.SPEED, shaft, time_constant),),
         )

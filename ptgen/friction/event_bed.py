@@ -46,6 +46,12 @@ class Forms:
             parts.append(np.vstack(rows) if rows else np.zeros((0, width)))
         return cls(*parts)
 
+    def values(self, z: Array, e: Array, u: Array, friction: Array, contact: Array, z_dot: Array) -> Array:
+        """Return the values of the forms."""
+        torques = np.concatenate([friction, contact])
+        total = self.z @ z + self.e @ e + self.u @ u + self.f @ torques + self.a @ z_dot
+        return np.asarray(total, dtype=np.float64)
+
 
 class _Numbers:
     """Evaluates expressions of parameters."""
@@ -183,6 +189,12 @@ class EventBed:
     laws : FrictionLaws
     lag_rates : ndarray (n_u,)
         Inverse time constants of the air-gap torques that are states (1/s), zero for those that are given.
+    filtered : tuple of str (n_y,)
+        Sensors with a low pass, whose measured values are states.
+    filter_forms : Forms
+        What they measure.
+    filter_rates : ndarray (n_y,)
+        Inverse time constants of the low passes (1/s).
     """
 
     frictions: tuple[str, ...]
@@ -206,6 +218,9 @@ class EventBed:
     loads: Forms
     laws: FrictionLaws
     lag_rates: Array
+    filtered: tuple[str, ...]
+    filter_forms: Forms
+    filter_rates: Array
 
     @classmethod
     def of(cls, model: Model, parameters: Mapping[str, float], lags: bool) -> EventBed:
@@ -217,7 +232,8 @@ class EventBed:
         parameters : mapping of str to float
             Parameters that override those of the bed.
         lags : bool
-            Whether the air-gap torques of drives with a lag are states.
+            Whether the air-gap torques of drives with a lag, and the measured values of sensors with a low pass, are
+            states.
 
         Raises
         ------
@@ -230,6 +246,7 @@ class EventBed:
         numeric = model.numeric(table)
         M, E, G = numeric.mass, numeric.twist_rows, numeric.friction_rows
         places = list(dict.fromkeys(f.load.place for f in frictions if f.load is not None))
+        sensors = [sensor for sensor in model.sensors if lags and sensor.time_constant is not None]
         time_constants = numbers.all((torque.drive.time_constant for torque in model.inputs), np.inf)
         return cls(
             frictions=tuple(friction.name for friction in frictions),
@@ -253,6 +270,9 @@ class EventBed:
             loads=Forms.of(model, [model.signals[place] for place in places], table),
             laws=FrictionLaws.of(frictions, places, numbers),
             lag_rates=1 / time_constants if lags else np.zeros(len(time_constants)),
+            filtered=tuple(sensor.name for sensor in sensors),
+            filter_forms=Forms.of(model, [model.signals[sensor.name] for sensor in sensors], table),
+            filter_rates=1 / numbers.all(sensor.time_constant for sensor in sensors),
         )
 
     @property

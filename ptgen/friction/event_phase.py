@@ -26,8 +26,8 @@ __all__ = ["Actuations", "Inputs", "Mode", "Phase", "Point", "Torques"]
 Torques = Callable[[float], Array] | Array
 Actuations = Callable[[float], Array] | Mapping[str, Callable[[float], float] | float]
 
-_ABSOLUTE = (1e-13, 1e-16, 1e-13, 1e-12)
-"""Absolute tolerances of velocities (rad/s), twists (rad), angles (rad) and air-gap torques (N m)."""
+_ABSOLUTE = (1e-13, 1e-16, 1e-13, 1e-12, 1e-12)
+"""Absolute tolerances of velocities (rad/s), twists (rad), angles (rad), air-gap torques (N m), measured values."""
 
 
 @dataclass(frozen=True)
@@ -104,8 +104,8 @@ class Point:
     Attributes
     ----------
     time : float
-    z, e, angles, u : ndarray
-        Velocities, twists, angles of the friction elements, air-gap torques.
+    z, e, angles, u, y : ndarray
+        Velocities, twists, angles of the friction elements, air-gap torques, measured values behind a low pass.
     w : ndarray (n_f,)
         Friction velocities.
     z_dot : ndarray (n_z,)
@@ -121,6 +121,7 @@ class Point:
     e: Array
     angles: Array
     u: Array
+    y: Array
     w: Array
     z_dot: Array
     torques: Array
@@ -131,7 +132,7 @@ class Point:
 
 
 class Phase:
-    """The differential equation of one mode, over the state ``(y, e, angles, lagging air-gap torques)``.
+    """The differential equation of one mode, over the state ``(y, e, angles, lagging air-gap torques, low passes)``.
 
     Parameters
     ----------
@@ -149,7 +150,7 @@ class Phase:
         self.beyond = np.array(mode.beyond, dtype=bool)
         self.region = np.array(mode.region, dtype=np.int64)
         self.sliding, self.stuck = np.flatnonzero(self.slip), np.flatnonzero(self.slip == 0)
-        self._ends = np.cumsum([len(held.free), bed.n_e, bed.n_f, len(bed.lagging)])
+        self._ends = np.cumsum([len(held.free), bed.n_e, bed.n_f, len(bed.lagging), len(bed.filtered)])
         self._sense = self.slip[self.sliding].astype(float)
         self._rows = bed.G[self.sliding]
         self._knees = np.flatnonzero(np.isfinite(bed.laws.knee))
@@ -165,19 +166,19 @@ class Phase:
         """Absolute tolerances of the state."""
         return np.repeat(_ABSOLUTE, np.diff(self._ends, prepend=0))
 
-    def pack(self, z: Array, e: Array, angles: Array, u: Array) -> Array:
+    def pack(self, z: Array, e: Array, angles: Array, u: Array, y: Array) -> Array:
         """Return the state."""
-        return np.concatenate([z[self.held.free], e, angles, u[self.bed.lagging]])
+        return np.concatenate([z[self.held.free], e, angles, u[self.bed.lagging], y])
 
     def at(self, time: float, state: Array) -> Point:
         """Return everything at a time."""
         bed, laws, held = self.bed, self.bed.laws, self.held
-        a, b, c, _ = self._ends
+        a, b, c, d, _ = self._ends
         z, e, angles = held.N @ state[:a], state[a:b], state[b:c]
         u = self.inputs.torques(time)
         if len(bed.lagging):
             u = u.copy()
-            u[bed.lagging] = state[c:]
+            u[bed.lagging] = state[c:d]
         w = bed.G @ z
         w[self.stuck] = 0.0
         mu, ripple = self.inputs.actuations(time), laws.ripple(angles)
@@ -193,7 +194,8 @@ class Phase:
         torques[self.sliding] = sliding
         torques[self.stuck] = held.react @ driving
         lo, hi = laws.limits(mu, ripple, loads)
-        return Point(time, z, e, angles, u, w, held.accelerate @ driving, torques, contact, loads, lo, hi)
+        z_dot = held.accelerate @ driving
+        return Point(time, z, e, angles, u, state[d:], w, z_dot, torques, contact, loads, lo, hi)
 
     def _loads_at_rest(self, z: Array, e: Array, u: Array, contact: Array) -> Array:
         """Return the loads without friction torques and accelerations."""
@@ -216,6 +218,9 @@ class Phase:
         if len(bed.lagging):
             commands = self.inputs.torques(time)[bed.lagging]
             parts.append(bed.lag_rates[bed.lagging] * (commands - point.u[bed.lagging]))
+        if bed.filtered:
+            true = bed.filter_forms.values(point.z, point.e, point.u, point.torques, point.contact, point.z_dot)
+            parts.append(bed.filter_rates * (true - point.y))
         return np.concatenate(parts)
 
     def margins(self, point: Point) -> Array:

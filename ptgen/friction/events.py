@@ -44,7 +44,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -109,6 +109,8 @@ class EventState:
         dz/dt (rad/s^2).
     transitions : tuple of Transition
         All transitions since the initial state.
+    measured : ndarray (n_y,)
+        Measured values of the sensors with a low pass, in the order of the model; with lags only.
     """
 
     time: float
@@ -121,6 +123,7 @@ class EventState:
     air_gap: Array
     accelerations: Array
     transitions: tuple[Transition, ...] = ()
+    measured: Array = field(default_factory=lambda: np.zeros(0))
 
 
 class EventDriven:
@@ -133,8 +136,9 @@ class EventDriven:
     parameters : mapping of str to float, optional
         Parameters that override those of the bed, by their names such as ``diff_loss_coulomb``.
     lags : bool
-        Whether torques given to `advance` are commands, which the first-order lags of the drives make air-gap torques;
-        otherwise they are the air-gap torques. Dead times are left to the caller either way.
+        Whether torques given to `advance` are commands, which the first-order lags of the drives make air-gap torques,
+        and sensors have their low passes; otherwise they are the air-gap torques, and sensors are ideal. Delays are
+        left to the caller either way.
 
     Raises
     ------
@@ -201,6 +205,7 @@ class EventDriven:
             contact_torque=np.zeros(bed.n_c),
             air_gap=_filled(air_gap, bed.n_u),
             accelerations=np.zeros(bed.n_z),
+            measured=np.zeros(len(bed.filtered)),
         )
 
     def advance(
@@ -254,12 +259,16 @@ class EventDriven:
         """
         bed = self._bed
         z, e = state.x[: bed.n_z], state.x[bed.n_z :]
-        torques = np.concatenate([state.friction_torque, state.contact_torque])
-        values = bed.signals.z @ z + bed.signals.e @ e + bed.signals.u @ state.air_gap
-        values = values + bed.signals.f @ torques + bed.signals.a @ state.accelerations
+        values = bed.signals.values(
+            z, e, state.air_gap, state.friction_torque, state.contact_torque, state.accelerations
+        )
         named = dict(zip(self.model.signals, values.tolist(), strict=True))
         whole = state.friction_torque + bed.viscous * self.friction_velocities(state)
         return named | dict(zip(bed.frictions, whole.tolist(), strict=True))
+
+    def measured(self, state: EventState) -> dict[str, float]:
+        """Return the measured values of the sensors with a low pass, by name; none without lags."""
+        return dict(zip(self._bed.filtered, state.measured.tolist(), strict=True))
 
     def energy(self, state: EventState) -> float:
         """Return kinetic energy and energy of all shafts (J)."""
@@ -314,7 +323,7 @@ class _Piece:
         z, e = state.x[: bed.n_z], state.x[bed.n_z :]
         u = self.inputs.torques(time).copy()
         u[bed.lagging] = state.air_gap[bed.lagging]
-        w = bed.G @ z
+        y, w = state.measured, bed.G @ z
         rest = (state.mode == 0) | (w == 0)
         load = np.ones(len(bed.loads.z), dtype=np.int64)
         start = _Decision(np.where(rest, 0, state.mode), {}, load, np.abs(w) > bed.laws.knee, state.region)
@@ -322,11 +331,11 @@ class _Piece:
         transitions = [*state.transitions, *self._changes(time, state.mode, state.region, mode)]
         while True:
             phase = self._phase(mode)
-            time, packed, events = self._integrate(phase, time, phase.pack(z, e, angles, u))
+            time, packed, events = self._integrate(phase, time, phase.pack(z, e, angles, u, y))
             point = phase.at(time, packed)
             if not events:
                 break
-            z, e, angles, u = point.z, point.e, point.angles, point.u
+            z, e, angles, u, y = point.z, point.e, point.angles, point.u, point.y
             self._count(time, phase, events)
             mode, z = self._decide(time, z, e, angles, u, self._decision(phase, events))
             transitions += self._changes(time, phase.slip, phase.region, mode)
@@ -341,6 +350,7 @@ class _Piece:
             air_gap=point.u,
             accelerations=point.z_dot,
             transitions=tuple(transitions),
+            measured=point.y,
         )
 
     def _phase(self, mode: Mode) -> Phase:

@@ -31,6 +31,7 @@ __all__ = [
     "loss_rule",
     "reference_rules",
     "rigid_rule",
+    "sensor_rules",
 ]
 
 
@@ -42,7 +43,7 @@ class AppliedRule:
     ----------
     rule : str
         ``close backlash``, ``lock``, ``leave out``, ``drop losses``, ``drop damping``, ``idealise drive``,
-        ``drop inertia``, ``rigidise``, ``condense`` or ``refer``.
+        ``idealise sensor``, ``drop inertia``, ``rigidise``, ``condense`` or ``refer``.
     element : str
         The element it was applied to.
     why : str
@@ -127,13 +128,28 @@ def drive_rules(mechanism: Mechanism, before: tuple[Mode, ...]) -> list[AppliedR
     elastic = [mode.frequency_hz for mode in before if mode.frequency_hz > 0]
     rules = []
     for torque in mechanism.torques:
-        parts = [part for part in (torque.drive.time_constant, torque.drive.dead_time) if part is not None]
+        drive = torque.drive
+        parts = [part for part in (drive.time_constant, drive.dead_time, drive.computation_delay) if part is not None]
         if not parts or not elastic:
             continue
         delay = sum(mechanism.values[part] for part in parts)
         degrees = 360.0 * delay * elastic[0]
         why = f"{1e6 * delay:.0f} us are {degrees:.2g} degrees of phase at the first mode, {elastic[0]:.3g} Hz"
         rules.append(AppliedRule("idealise drive", torque.name, why, {"delay": delay, "phase_degrees": degrees}))
+    return rules
+
+
+def sensor_rules(mechanism: Mechanism, before: tuple[Mode, ...]) -> list[AppliedRule]:
+    """Return the rules that make sensors ideal, with the phase that their low pass costs at the first mode."""
+    elastic = [mode.frequency_hz for mode in before if mode.frequency_hz > 0]
+    rules = []
+    for sensor in mechanism.sensors:
+        if sensor.time_constant is None or not elastic:
+            continue
+        lag = mechanism.values[sensor.time_constant]
+        degrees = math.degrees(math.atan(2 * math.pi * elastic[0] * lag))
+        why = f"{1e6 * lag:.0f} us are {degrees:.2g} degrees of phase at the first mode, {elastic[0]:.3g} Hz"
+        rules.append(AppliedRule("idealise sensor", sensor.name, why, {"lag": lag, "phase_degrees": degrees}))
     return rules
 
 

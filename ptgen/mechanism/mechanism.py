@@ -26,6 +26,8 @@ from ptgen.testbed.testbed import Testbed
 
 __all__ = ["Mechanism"]
 
+_COMPUTATION_DELAY = sp.Symbol("computation_delay", nonnegative=True)
+
 
 @dataclass(frozen=True)
 class Mechanism:
@@ -79,6 +81,10 @@ class Mechanism:
             velocities += [f"{name}.{flange}" for flange in component.flange_names()]
             velocities += elements.internal
             parameters += component.parameters(name)
+        if testbed.computation_delay > 0:
+            text = "time from sampling until the command that follows from it reaches the inverters"
+            parameters.append(Parameter(_COMPUTATION_DELAY, testbed.computation_delay, "s", text))
+            parts = [_delayed(part) for part in parts]
         constraints = [constraint for part in parts for constraint in part.constraints]
         connections: dict[str, tuple[str, int]] = {}
         for connection in testbed.connections:
@@ -146,6 +152,14 @@ class Mechanism:
     def without_frictions(self, names: set[str]) -> Mechanism:
         """Return the mechanism without the named friction elements."""
         return replace(self, frictions=tuple(f for f in self.frictions if f.name not in names))
+
+
+def _delayed(part: Elements) -> Elements:
+    """Return the elements whose drives get their commands late."""
+    torques = tuple(
+        replace(torque, drive=replace(torque.drive, computation_delay=_COMPUTATION_DELAY)) for torque in part.torques
+    )
+    return replace(part, torques=torques)
 
 
 def _observed(testbed: Testbed, parts: list[Elements]) -> list[str]:

@@ -7,7 +7,8 @@ between the machines. A part may go if it takes hardly any share in any motion m
 * a shaft is made rigid if its share of the strain energy stays below `stiffness_share`, where an inertia that
   must stay would otherwise keep it as a state;
 * velocities without inertia are condensed statically (`ptgen.mechanism.assembly`);
-* losses, internal damping, lag and dead time of the drives are left out, and the gaps of shafts are closed.
+* losses, internal damping, lag and delay of the drives and filters of the sensors are left out, and the gaps of shafts
+  are closed.
 
 Friction elements that couple, such as clutches and limited slips, act as disturbances; those that the file names in
 `locked` are rigid, in the full model too that the reduced one is compared with. What no machine acts on while they slip
@@ -40,6 +41,7 @@ from ptgen.mechanism.applied_rules import (
     loss_rule,
     reference_rules,
     rigid_rule,
+    sensor_rules,
 )
 from ptgen.mechanism.assembly import assemble
 from ptgen.mechanism.idle_parts import component_of, idle_parts, without_parts
@@ -138,6 +140,7 @@ def reduce_mechanism(mechanism: Mechanism, settings: ReductionSettings, full: Mo
     rules += [loss_rule(mechanism, name) for name in sorted(losses)]
     reduced = driven.without_frictions(losses)
     rules += drive_rules(mechanism, before)
+    rules += sensor_rules(mechanism, before)
 
     participation = Participation(compared, before, _machine_twists(compared))
     removable = _removable(reduced, participation, settings)

@@ -30,10 +30,11 @@ class Layout:
     n_u: int
     n_f: int
     n_c: int
+    filtered: tuple[str, ...] = ()
 
     @classmethod
     def of(cls, model: Model) -> Layout:
-        """Return the layout of a model; machines with a lag have a state of their own."""
+        """Return the layout of a model; machines with a lag and sensors with a filter have a state of their own."""
         return cls(
             n_z=len(model.coordinates),
             n_e=len(model.twists),
@@ -41,12 +42,13 @@ class Layout:
             n_u=len(model.inputs),
             n_f=len(model.frictions),
             n_c=len(model.contacts),
+            filtered=tuple(sensor.name for sensor in model.sensors if sensor.time_constant is not None),
         )
 
     @property
     def n(self) -> int:
         """Number of true states."""
-        return self.n_z + self.n_e + len(self.lagging)
+        return self.n_z + self.n_e + len(self.lagging) + len(self.filtered)
 
     @property
     def n_t(self) -> int:
@@ -56,6 +58,10 @@ class Layout:
     def air_gap(self, machine: int) -> int:
         """Return where the air-gap torque of a machine stands in ``x``."""
         return self.n_z + self.n_e + self.lagging.index(machine) if machine in self.lagging else self.n + machine
+
+    def measured(self, sensor: str) -> int:
+        """Return where the measured value of a sensor with a filter stands in ``x``."""
+        return self.n_z + self.n_e + len(self.lagging) + self.filtered.index(sensor)
 
     def late(self, machine: int) -> int:
         """Return where the command that acts at the end of the step stands."""

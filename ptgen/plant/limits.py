@@ -9,28 +9,44 @@ from ptgen.errors import ModelError, Problem
 from ptgen.mechanism.model import Model, evaluate_matrix
 from ptgen.mechanism.modes import Mode, modes
 
-__all__ = ["DELAY_CAPACITY", "check_dead_times", "too_fast"]
+__all__ = ["DELAY_CAPACITY", "check_delays", "too_fast"]
 
 DELAY_CAPACITY = 16
 """Steps of dead time for which every delay line has room, one more than can be asked for."""
 
 
-def check_dead_times(model: Model, sample_time: float) -> None:
-    """Raise if a dead time is longer than a delay line.
+def check_delays(model: Model, sample_time: float, capacity: int = DELAY_CAPACITY) -> None:
+    """Raise if computation and dead time of a drive take longer together than a delay line of `capacity` steps.
 
     Raises
     ------
     ModelError
-        With every dead time that is.
+        With every dead time that is too long, and the computation delay if it is.
     """
-    longest = (DELAY_CAPACITY - 1) * sample_time
-    problems = []
+    longest = (capacity - 1) * sample_time
+    problems: list[Problem] = []
     for torque in model.inputs:
-        dead_time = torque.drive.dead_time
-        if dead_time is not None and model.values[dead_time] > longest:
-            what = f"is {1e6 * model.values[dead_time]:.6g} us, more than {DELAY_CAPACITY - 1} steps of the controller"
-            remedy = f"check the unit, or take a longer sample_time: {1e6 * longest:.6g} us are possible now"
-            problems.append(Problem(f"components.{torque.name}.inverter.dead_time", what, remedy))
+        drive = torque.drive
+        computation = 0.0 if drive.computation_delay is None else model.values[drive.computation_delay]
+        dead_time = 0.0 if drive.dead_time is None else model.values[drive.dead_time]
+        if computation + dead_time <= longest:
+            continue
+        key, most = ("testbed.computation_delay", longest - dead_time)
+        what = f"is {1e6 * computation:.6g} us"
+        if dead_time > computation:
+            key, most = f"components.{torque.name}.inverter.dead_time", longest - computation
+            what = f"is {1e6 * dead_time:.6g} us"
+        if computation and dead_time:
+            other = (
+                ("computation_delay", computation)
+                if dead_time > computation
+                else (f"{torque.name}'s dead time", dead_time)
+            )
+            what += f", with {other[0]} {1e6 * (computation + dead_time):.6g} us"
+        what += f", more than {capacity - 1} steps of the controller"
+        remedy = f"check the unit, or take a longer sample_time: {1e6 * max(0.0, most):.6g} us are possible now"
+        if not any(problem.where == key for problem in problems):
+            problems.append(Problem(key, what, remedy))
     if problems:
         raise ModelError(problems)
 

@@ -1,11 +1,11 @@
 r"""The plant as a block: exact discretisation of the linear part, exact friction, dead time.
 
 For held inputs and friction torques the linear part is discretised exactly,
-:math:`x^+ = \Phi x + \Gamma_u u + \Gamma_f T`, once, by one matrix exponential. A dead time of
-:math:`(d + f) h` lets the command of :math:`d + 1` steps ago act for the first :math:`f h` of a step, and that of
-:math:`d` steps ago for the rest; this too is exact. The friction torques of a step follow from
-:math:`K = -G\,\Gamma_f` by `ptgen.friction.step`, those of shafts with backlash by `ptgen.friction.backlash`; their
-capacities are those of `ptgen.plant.capacities`, at mid-step, which keeps order 2.
+:math:`x^+ = \Phi x + \Gamma_u u + \Gamma_f T`, once, by one matrix exponential; the low passes of sensors are part of
+it. Computation and dead time of :math:`(d + f) h` let the command of :math:`d + 1` steps ago act for the first
+:math:`f h` of a step, and that of :math:`d` steps ago for the rest; this too is exact. The friction torques of a step
+follow from :math:`K = -G\,\Gamma_f` by `ptgen.friction.step`, those of shafts with backlash by
+`ptgen.friction.backlash`; their capacities are those of `ptgen.plant.capacities`, at mid-step, which keeps order 2.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from ptgen.mechanism.dependence import is_dependent
 from ptgen.mechanism.model import Model
 from ptgen.plant.capacities import Capacities
 from ptgen.plant.layout import Layout, identifier
-from ptgen.plant.limits import DELAY_CAPACITY, check_dead_times, too_fast
+from ptgen.plant.limits import DELAY_CAPACITY, check_delays, too_fast
 from ptgen.plant.preparation import Preparation
 from ptgen.plant.signals import PlantSignals
 
@@ -33,7 +33,7 @@ STANDSTILL = 1e-9
 """Friction velocity (rad/s) below which an element counts as standing; one revolution in two hundred years."""
 
 
-def plant_block(model: Model, sample_time: float) -> Block:
+def plant_block(model: Model, sample_time: float, delay_capacity: int = DELAY_CAPACITY) -> Block:
     """Return the plant of a bed as a block.
 
     Parameters
@@ -42,14 +42,17 @@ def plant_block(model: Model, sample_time: float) -> Block:
         The full model, with the friction velocities as first coordinates.
     sample_time : float
         Step of the emitted code (s).
+    delay_capacity : int
+        Steps for which every delay line has room, one more than computation and dead time may take: an analysis may
+        ask for more than the emitted plant has.
 
     Raises
     ------
     ModelError
-        If the bed has a dead time or a mode that the step cannot represent.
+        If the bed has a delay or a mode that the step cannot represent.
     """
-    check_dead_times(model, sample_time)
-    block = _Plant(model, sample_time).block()
+    check_delays(model, sample_time, delay_capacity)
+    block = _Plant(model, sample_time, delay_capacity).block()
     evaluator = NumpyBlock(block)
     try:
         evaluator.prepare(evaluator.defaults())
@@ -59,9 +62,10 @@ def plant_block(model: Model, sample_time: float) -> Block:
 
 
 class _Plant:
-    def __init__(self, model: Model, sample_time: float) -> None:
+    def __init__(self, model: Model, sample_time: float, delay_capacity: int) -> None:
         self.model = model
         self.sample_time = sample_time
+        self.delay_capacity = delay_capacity
         self.layout = Layout.of(model)
         self.signals = PlantSignals(model, self.layout)
         self.capacities = Capacities(model, self.layout, self.signals)
@@ -105,15 +109,19 @@ class _Plant:
             Signal(f"{name}_reaction", "", f"{name} per {kinds}", (force_columns,))
             for name in self.signals.accelerated()
         ]
+        measured = ", measured values" if layout.filtered else ""
         states = [
             Signal(
                 "x",
                 "",
-                "velocities, twists, air-gap torques; then the commands that act late and early",
+                f"velocities, twists, air-gap torques{measured}; then the commands that act late and early",
                 (width,),
                 entries=self._entries(),
             ),
-            *(Signal(f"{m}_delay", "N m", f"commands to {m} of past steps", (DELAY_CAPACITY,)) for m in self._names()),
+            *(
+                Signal(f"{m}_delay", "N m", f"commands to {m} of past steps", (self.delay_capacity,))
+                for m in self._names()
+            ),
             *self.capacities.states(),
         ]
         if n_t:
@@ -195,8 +203,17 @@ class _Plant:
         return [torque.name for torque in self.model.inputs]
 
     def _bounded(self, signal: Signal) -> Signal:
-        if signal.name.endswith("_dead_time"):
-            return replace(signal, most=(DELAY_CAPACITY - 1) * self.sample_time)
+        """Return a parameter with its upper bound: computation and dead time together must fit the delay lines."""
+        drives = [torque.drive for torque in self.model.inputs]
+        values = self.model.values
+        computation = max((values[d.computation_delay] for d in drives if d.computation_delay is not None), default=0.0)
+        dead_time = max((values[d.dead_time] for d in drives if d.dead_time is not None), default=0.0)
+        longest = (self.delay_capacity - 1) * self.sample_time
+        spare = (longest - computation - dead_time) / 2
+        if any(d.dead_time is not None and d.dead_time.name == signal.name for d in drives):
+            return replace(signal, most=dead_time + spare if computation else longest)
+        if any(d.computation_delay is not None and d.computation_delay.name == signal.name for d in drives):
+            return replace(signal, most=computation + spare)
         return signal
 
     def _entries(self) -> tuple[str, ...]:
@@ -205,6 +222,7 @@ class _Plant:
             *(f"velocity of {name} (rad/s)" for name in self.model.coordinates),
             *(f"twist of {name} (rad)" for name in self.model.twists),
             *(f"air-gap torque of {names[i]} (N m)" for i in self.layout.lagging),
+            *(f"measured {name} ({'rad/s' if name.endswith('_speed') else 'N m'})" for name in self.layout.filtered),
             *(f"late command to {name} (N m)" for name in names),
             *(f"early command to {name} (N m)" for name in names),
         )
@@ -225,7 +243,7 @@ class _Plant:
                     "delay",
                     (f"{name}_delay", str(element("x", layout.late(i))), str(element("x", layout.early(i)))),
                     (f"{name}_delay", f"{name}_limited", f"{name}_dead_steps"),
-                    "dead time of the torque loop",
+                    "dead time of the torque loop" if drive.computation_delay is None else "computation and dead time",
                 ),
             ]
         statements += self.capacities.at_start()

@@ -8,8 +8,9 @@ import numpy as np
 import sympy as sp
 
 from ptgen.block.block import Assign, Call, Statement, element
+from ptgen.elements import Sensor
 from ptgen.mechanism.dependence import is_dependent
-from ptgen.mechanism.model import Model
+from ptgen.mechanism.model import LinearForm, Model, evaluate_matrix
 from ptgen.plant.layout import Layout
 from ptgen.plant.signals import PlantSignals
 
@@ -59,16 +60,18 @@ class Preparation:
         if n_t:
             numbers = (0, n + n_u, n_z + n_e + n_u, n_t)
             statements.append(Call("insert", ("A",), ("A", "rates"), numbers=numbers))
+        statements += self._filters()
+        balance = self._filter_scales()
         for i in range(n + n_u + n_t):
             is_twist = n_z <= i < n_z + n_e
-            statements.append(Assign(str(element("scale", i)), h if is_twist else sp.Integer(1)))
+            statements.append(Assign(str(element("scale", i)), h if is_twist else balance.get(i, sp.Integer(1))))
         squarings = self._squarings()
         statements.append(
             Call("discretise", ("whole",), ("A", "scale", "sample_time"), "exact discretisation", (squarings,))
         )
         statements.append(Call("insert", ("transition",), ("transition", "whole"), numbers=(0, 0, 0, n)))
         for i, torque in enumerate(model.inputs):
-            statements += self._input_columns(i, torque.name, torque.drive.dead_time, h, squarings)
+            statements += self._input_columns(i, torque.name, torque.drive.delay, h, squarings)
         if n_t:
             statements.append(Call("insert", ("gamma",), ("gamma", "whole"), numbers=(0, 0, n + n_u, n_t)))
         if layout.n_f:
@@ -93,6 +96,49 @@ class Preparation:
                 statements.append(Assign(str(element(f"{name}_reaction", j)), total, "d'Alembert"))
         return tuple(statements)
 
+    def _filters(self) -> list[Assign]:
+        """Return the rows of the sensors' low passes: ``dy/dt = (y_true - y) / tau``.
+
+        What is measured is linear in velocities, twists, torques and accelerations, and these are linear in the same
+        without them: so a filter is part of the linear system, and a reading with feed-through is nothing special.
+        """
+        layout = self.layout
+        statements = []
+        for sensor, time_constant in self._filtered():
+            form, row = self.model.signals[sensor.name], layout.measured(sensor.name)
+            for j, (coefficient, column) in enumerate(self._columns(form)):
+                terms = [form.a[k] * element("rates", k, j) for k in range(layout.n_z) if form.a[k] != 0]
+                total = sum(terms, sp.sympify(coefficient))
+                if total != 0:
+                    target = str(element("A", row, column))
+                    statements.append(Assign(target, total / time_constant, f"low pass of {sensor.name}"))
+            statements.append(Assign(str(element("A", row, row)), -1 / time_constant))
+        return statements
+
+    def _filtered(self) -> list[tuple[Sensor, sp.Expr]]:
+        """Return the sensors with a low pass, and its time constant."""
+        return [(s, s.time_constant) for s in self.model.sensors if s.time_constant is not None]
+
+    def _columns(self, form: LinearForm) -> list[tuple[sp.Expr, int]]:
+        """Return the coefficients of a form over (z, e, u, friction and contacts) with the columns where they stand."""
+        layout = self.layout
+        columns = [
+            *range(layout.n_z + layout.n_e),
+            *(layout.air_gap(i) for i in range(layout.n_u)),
+            *(layout.n + layout.n_u + j for j in range(layout.n_t)),
+        ]
+        return list(zip([*form.z, *form.e, *form.u, *form.f], columns, strict=True))
+
+    def _filter_scales(self) -> dict[int, sp.Expr]:
+        """Return powers of two that make the rows of the filters about as large as the others."""
+        scales = {}
+        for sensor, _ in self._filtered():
+            form = self.model.signals[sensor.name]
+            z, e = (evaluate_matrix(part, self.model.values) for part in (form.z, form.e))
+            size = float(np.abs(z).sum() + self.sample_time * np.abs(e).sum())
+            scales[self.layout.measured(sensor.name)] = sp.Integer(2) ** max(0, math.ceil(math.log2(max(1.0, size))))
+        return scales
+
     def _lost(self, name: str, rows: sp.Matrix, first_row: int, first: int, source: str) -> list[Assign]:
         """Return the matrix of what `rows` over the states from `first_row` on lose per torque; it is symmetric."""
 
@@ -103,21 +149,20 @@ class Preparation:
         size = range(rows.shape[0])
         return [Assign(str(element(name, i, j)), entry(i, j), source) for i in size for j in size]
 
-    def _input_columns(
-        self, i: int, name: str, dead_time: sp.Expr | None, h: sp.Symbol, squarings: int
-    ) -> list[Statement]:
+    def _input_columns(self, i: int, name: str, delay: sp.Expr | None, h: sp.Symbol, squarings: int) -> list[Statement]:
         layout = self.layout
         column = layout.n + i
         steps = sp.Symbol(f"{name}_dead_steps", real=True)
-        if dead_time is None:
+        if delay is None:
             return [
                 Assign(steps.name, sp.Integer(0)),
                 Call("insert", ("transition",), ("transition", "whole"), numbers=(0, layout.late(i), column, 1)),
             ]
         part = f"{name}_late_time"
+        what = "dead time" if self.model.inputs[i].drive.computation_delay is None else "computation and dead time"
         return [
-            Assign(steps.name, sp.floor(dead_time / h + sp.Float(1e-6)), "dead time = (d + f) h"),
-            Assign(part, h - sp.Max(0, dead_time - steps * h), "the late command acts for (1 - f) h"),
+            Assign(steps.name, sp.floor(delay / h + sp.Float(1e-6)), f"{what} = (d + f) h"),
+            Assign(part, h - sp.Max(0, delay - steps * h), "the late command acts for (1 - f) h"),
             Call("discretise", ("late",), ("A", "scale", part), numbers=(squarings,)),
             Call("difference", ("early",), ("whole", "late")),
             Call("insert", ("transition",), ("transition", "late"), numbers=(0, layout.late(i), column, 1)),
@@ -134,6 +179,7 @@ class Preparation:
         values = self.model.values
         lags = [self.sample_time / values[t.drive.time_constant] for t in self.model.inputs if t.drive.time_constant]
         norm = max(float(np.abs(joined).sum(axis=0).max()), 2 * max(lags, default=0.0))
+        norm += sum(self.sample_time / values[time_constant] for _, time_constant in self._filtered())
         return max(0, math.ceil(math.log2(_MARGIN * norm)))
 
 

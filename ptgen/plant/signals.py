@@ -83,7 +83,13 @@ class PlantSignals:
         def x(k: int) -> sp.Expr:
             return element("x", k)
 
-        statements: list[Statement] = [Assign(name, self.over(name, form, x)) for name, form in self.torques().items()]
+        statements: list[Statement] = []
+        for name, form in self.torques().items():
+            if name in layout.filtered:
+                statements.append(Assign(name, element("x", layout.measured(name)), "low pass of the sensor"))
+                statements.append(Assign(f"{name}_true", self.over(name, form, x)))
+            else:
+                statements.append(Assign(name, self.over(name, form, x)))
         for i, torque in enumerate(model.inputs):
             statements.append(Assign(f"{torque.name}_torque", element("x", layout.air_gap(i))))
         for i, friction in enumerate(model.frictions):
@@ -99,6 +105,8 @@ class PlantSignals:
         for name in self.torques():
             unit = "rad/s" if name.endswith("_speed") else "N m"
             outputs.append(Signal(name, unit, "measured or observed, positive to the right"))
+            if name in self.layout.filtered:
+                outputs.append(Signal(f"{name}_true", unit, "the same before the low pass of its sensor"))
         for torque in self.model.inputs:
             outputs.append(Signal(f"{torque.name}_torque", "N m", f"air-gap torque of {torque.name}"))
         for friction in self.model.frictions:

@@ -17,7 +17,7 @@ __all__ = ["Commands", "course", "kinks", "value_at"]
 
 
 class Commands:
-    """Commands to one machine: limited by the torque-speed envelope, then late by the dead time.
+    """Commands to one machine: limited by the torque-speed envelope, then late by computation and dead time.
 
     Parameters
     ----------
@@ -41,9 +41,9 @@ class Commands:
         drive = torque.drive
         self._torque_max, self._speed_rated = value(drive.torque_max), value(drive.speed_rated)
         self._speed = evaluate_matrix(model.velocity_rows[next(iter(torque.row))], values)[0]
-        dead_time = 0.0 if drive.dead_time is None else value(drive.dead_time)
-        depth = math.floor(dead_time / sample_time + 1e-6)
-        self.switch = max(0.0, dead_time - depth * sample_time)
+        delay = 0.0 if drive.delay is None else value(drive.delay)
+        depth = math.floor(delay / sample_time + 1e-6)
+        self.switch = max(0.0, delay - depth * sample_time)
         self._last = [0.0] * (depth + 2)
 
     def push(self, reference: float, velocities: np.ndarray) -> None:

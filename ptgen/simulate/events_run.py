@@ -154,8 +154,10 @@ class _Plant:
 
     def _measured(self, state: EventState) -> dict[str, float]:
         model, signals = self._model, self._bed.signals(state)
+        measured = self._bed.measured(state)
         sensors = {sensor.name for sensor in model.sensors}
         found = {name if name in sensors else signal_name(name): signals[name] for name in model.signals}
+        found |= {f"{name}_true": signals[name] for name in measured} | measured
         for torque, value in zip(model.inputs, state.air_gap, strict=True):
             found[f"{torque.name}_torque"] = float(value)
         for friction, speed in zip(model.frictions, self._bed.friction_velocities(state), strict=True):

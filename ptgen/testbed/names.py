@@ -79,6 +79,7 @@ def _identifiers(name: str, component: Component) -> Iterator[str]:
     yield from (f"{name}_{place}" for place in component.place_names())
     yield from (parameter.symbol.name for parameter in component.parameters(name))
     yield from (sensor.name for sensor in elements.sensors)
+    yield from (f"{sensor.name}_true" for sensor in elements.sensors if sensor.time_constant is not None)
     for friction in elements.frictions:
         plain = friction.name.replace(".", "_")
         yield plain

@@ -89,6 +89,7 @@ def load(path: str | PathLike[str]) -> Testbed:
         tuning=Tuning.model_construct(**{key: getattr(control, key) for key in Tuning.model_fields}),
         reduction=reduction,
         assumed=bed.assumed,
+        computation_delay=bed.computation_delay,
     )
 
 

@@ -25,6 +25,12 @@ class BedSection(Record):
     title: Text = ""
     """What the bed is called in reports; by default its name."""
     sample_time: Annotated[float, Quantity("s", "sampling time of the controller")]
+    computation_delay: Annotated[
+        float,
+        Quantity(
+            "s", "time from sampling until the command that follows from it reaches the inverters", positive=False
+        ),
+    ] = 0.0
     connections: tuple[str, ...]
     """Chains such as "M1 - flange1 - diff.input"; positive power flows left to right."""
     assumed: tuple[str, ...] = ()

@@ -163,6 +163,8 @@ class Testbed:
         How the model is reduced.
     assumed : tuple of str
         Keys of the file whose values are assumed rather than measured.
+    computation_delay : float
+        Time from the sampling of the sensors until the command that follows from them reaches the inverters (s).
     """
 
     __test__ = False  # the name begins with Test, but it is no test case
@@ -179,6 +181,7 @@ class Testbed:
     tuning: Tuning
     reduction: ReductionSettings
     assumed: tuple[str, ...] = ()
+    computation_delay: float = 0.0
 
     @property
     def machines(self) -> tuple[str, ...]:

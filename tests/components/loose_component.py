@@ -34,6 +34,7 @@ EXAMPLES: dict[str, dict[str, object]] = {
         "speed_rated": "3000 rpm",
         "speed_max": "6000 rpm",
         "inverter": {"model": "lag", "dead_time": "100 us", "time_constant": "250 us"},
+        "sensor": {"time_constant": "100 us"},
     },
     "inertia": {"inertia": "0.2 kg m^2"},
     "shaft": {"stiffness": "50 kN m/rad", "damping": "2 N m s/rad"},
@@ -42,6 +43,7 @@ EXAMPLES: dict[str, dict[str, object]] = {
         "inertia_machine": "0.02 kg m^2",
         "stiffness": "380 kN m/rad",
         "damping": "0.5 N m s/rad",
+        "sensor": {"time_constant": "50 us"},
     },
     "gearbox": {"ratio": 8.1, "inertia": "1.05 kg m^2"},
     "clutch": {

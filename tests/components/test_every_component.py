@@ -46,6 +46,7 @@ def expressions_of(elements: Elements) -> list[sp.Expr]:
             found += [friction.saturated.slope, friction.saturated.speed]
         if friction.ripple is not None:
             found += [friction.ripple.amplitude, friction.ripple.phase]
+    found += [sensor.time_constant for sensor in elements.sensors if sensor.time_constant is not None]
     for torque in elements.torques:
         drive = torque.drive
         found += [drive.torque_max, drive.speed_rated, drive.speed_max]

@@ -54,6 +54,26 @@ def test_without_friction_both_plants_are_exact(dead_time: float, projects: dict
         assert largest_difference(emitted, events, name) < 1e-8 * (1 + np.abs(values).max()), name
 
 
+@pytest.mark.compile
+@pytest.mark.parametrize("delay", ["20 us", "137 us"])
+def test_low_passes_and_computation_delay_are_those_of_both_plants(delay: str, root: Path, tmp_path: Path) -> None:
+    sensor = 'sensor = { time_constant = "150 us" }\n'
+    text = (root / "testbeds" / "back-to-back.toml").read_text(encoding="utf-8")
+    text = text.replace('type = "machine"\n', f'type = "machine"\n{sensor}')
+    text = text.replace('type = "torque_flange"\n', f'type = "torque_flange"\n{sensor}')
+    text = text.replace("[testbed]\n", f'[testbed]\ncomputation_delay = "{delay}"\n')
+    file = tmp_path / "bed.toml"
+    file.write_text(text, encoding="utf-8")
+    torque = Profile((0.0, 10 * H, 20 * H), (0.0, 800.0, -300.0), "steps")
+    references = {"torque.M1": torque, "speed.M2": Profile((0.0, 30 * H), (0.0, 20.0), "lines")}
+    emitted, events = both(Project.read(file), Scenario("case", "", "", 60 * H, 3 * H, references))
+    assert list(events.signals) == list(emitted.signals)
+    lag = emitted.signals["flange1_torque_true"] - emitted.signals["flange1_torque"]
+    assert np.abs(lag).max() > 1, "the low pass is there"
+    for name, values in emitted.signals.items():
+        assert largest_difference(emitted, events, name) < 1e-8 * (1 + np.abs(values).max()), name
+
+
 def test_commands_pass_envelope_and_dead_time(clutched: Project) -> None:
     model = clutched.plant_model
     torque = model.inputs[0]
