@@ -28,13 +28,23 @@ def projects(root: Path) -> dict[str, Project]:
     return {project.testbed.name: project for project in beds}
 
 
-@pytest.fixture(scope="session", params=["back_to_back", "clutch_rig", "differential", "differential_gearboxes"])
+TORQUE_BEDS = [
+    "all_wheel_drive",
+    "back_to_back",
+    "differential",
+    "differential_gearboxes",
+    "differential_output_torque",
+]
+"""The shipped beds that control one torque."""
+
+
+@pytest.fixture(scope="session", params=sorted(["centre_differential_locked", "clutch_rig", *TORQUE_BEDS]))
 def project(request: pytest.FixtureRequest, projects: dict[str, Project]) -> Project:
     """One shipped bed after the other."""
     return projects[request.param]
 
 
-@pytest.fixture(scope="session", params=["back_to_back", "differential", "differential_gearboxes"])
+@pytest.fixture(scope="session", params=TORQUE_BEDS)
 def torque_project(request: pytest.FixtureRequest, projects: dict[str, Project]) -> Project:
-    """One shipped bed after the other that controls a torque."""
+    """One shipped bed after the other that controls one torque."""
     return projects[request.param]

@@ -157,6 +157,10 @@ def _twists(
     between its ends, (5.5) of the source. Coefficients that change with a ratio cannot be scaled to 1, because the
     twist is the integral of the row; but where velocities were condensed (`is_static`) the source takes the equivalent
     stiffness across a changing ratio as constant over time, (5.44)-(5.46), and the twist as that between the ends.
+
+    Where shafts meet in a point without inertia, the stiffnesses decide where that point goes, and with it every
+    twist; then the rows are replaced by the reduced ones of the space that they span. What strains nothing is a matter
+    of gear ratios alone, so these are free of stiffnesses.
     """
     independent = exact.independent_rows(rows)
     names, scaled = [], []
@@ -169,6 +173,9 @@ def _twists(
         scaled.append(exact.canonical(row * factor))
         names.append(springs[index].name)
     E = exact.stack(scaled, rows.shape[1])
+    stiffnesses: set[sp.Basic] = set().union(*(sp.sympify(spring.stiffness).free_symbols for spring in springs))
+    if E.free_symbols & stiffnesses:
+        E = exact.reduced_rows(E)
     L = exact.canonical(exact.row_combination(rows, E)) if independent else sp.zeros(rows.shape[0], 0)
     return tuple(names), E, L
 

@@ -17,6 +17,7 @@ __all__ = [
     "independent_rows",
     "preferred_solution",
     "rank",
+    "reduced_rows",
     "row_combination",
     "row_vector",
     "solve",
@@ -59,6 +60,22 @@ def independent_rows(matrix: sp.Matrix) -> tuple[int, ...]:
         return ()
     _, pivots = _domain(matrix.T).rref()
     return tuple(int(pivot) for pivot in pivots)
+
+
+def reduced_rows(matrix: sp.Matrix) -> sp.Matrix:
+    """Return the reduced echelon form of `matrix`, whose rows are independent; it spans the same space.
+
+    Examples
+    --------
+    >>> a = sp.Symbol("a")
+    >>> reduced_rows(sp.Matrix([[1, a, 0], [1, 0, -a]]))
+    Matrix([
+    [1, 0, -a],
+    [0, 1,  1]])
+    """
+    if 0 in matrix.shape:
+        return matrix
+    return _domain(matrix).rref()[0].to_Matrix()
 
 
 def solve(matrix: sp.Matrix, right: sp.Matrix) -> sp.Matrix:

@@ -36,7 +36,9 @@ def parts(project: Project, library: Library, block: str) -> tuple[Block, Compil
 @pytest.mark.parametrize("block", ["controller", "plant"])
 def test_agree_on_random_inputs(block: str, project: Project, library: Library) -> None:
     description, compiled = parts(project, library, block)
-    batch = agreement.random_batch(description, 10_000, seed=1)
+    # CasADi works through all sectors of six friction elements and takes 20 ms for it.
+    size = 1_000 if project.testbed.name == "all_wheel_drive" else 10_000
+    batch = agreement.random_batch(description, size, seed=1)
     parameters = NumpyBlock(description).defaults()
     reference = agreement.by_numpy(description, parameters, batch)
     for other in (agreement.by_casadi(description, parameters, batch), agreement.by_c(compiled, parameters, batch)):

@@ -57,7 +57,7 @@ def test_c_obeys_the_rules_for_embedded_code(project: Project) -> None:
         if not name.endswith(".c") or name.startswith("casadi") or name.endswith("_main.c"):
             continue
         assert isinstance(text, str)
-        assert not re.search(r"\b(malloc|calloc|realloc|free|alloca|goto)\b", text), name
+        assert not re.search(r"\b(malloc|calloc|realloc|free|alloca) *\(|\bgoto\b", text), name
         # What is static is constant, or a function.
         globals_ = [line for line in re.findall(r"^static (?!const).*", text, re.M) if "(" not in line]
         assert globals_ == [], f"{name} has a global that changes"

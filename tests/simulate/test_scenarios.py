@@ -92,13 +92,8 @@ def test_conventional_controller_leaves_the_mode_undamped(projects) -> None:
 
 
 def test_references_are_reached(project: Project, root: Path) -> None:
-    name = {
-        "differential": "differential-run",
-        "differential_gearboxes": "differential-gearboxes-run",
-        "back_to_back": "back-to-back-steps",
-        "clutch_rig": "clutch-rig-engagement",
-    }
-    recording = run(project, root, name[project.testbed.name])
+    course = {"back_to_back": "steps", "clutch_rig": "engagement"}.get(project.testbed.name, "run")
+    recording = run(project, root, f"{project.testbed.name.replace('_', '-')}-{course}")
     for key, signal in project.design.controller.references.items():
         if key.startswith("speed"):
             wanted, got = recording.signals[signal], recording.signals[signal.removesuffix("_ref")]

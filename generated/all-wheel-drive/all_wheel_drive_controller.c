@@ -1,0 +1,704 @@
+/*
+ * all_wheel_drive_controller.c: controller of the bed all_wheel_drive
+ *
+ * Emitted by ptgen 0.1.0 from all-wheel-drive.toml (SHA-256 4a4f0cf573c3f3c3), template block.c.jinja.
+ * Do not edit: change the test bed file and emit again. This code belongs to whoever emitted it.
+ */
+#include "all_wheel_drive_controller.h"
+
+#include <float.h>
+#include <string.h>
+
+const all_wheel_drive_controller_params all_wheel_drive_controller_defaults = {
+    .sample_time = 0.0001,
+    .fault_ramp = 0.05,
+    .centre_input_torque_ref_plausible = 15000.0,
+    .M2_speed_ref_plausible = 471.2388980384685,
+    .M3_speed_ref_plausible = 471.2388980384685,
+    .M4_speed_ref_plausible = 471.2388980384685,
+    .M5_speed_ref_plausible = 471.2388980384685,
+    .M1_speed_plausible = 1256.637061435917,
+    .flange1_torque_plausible = 15000.0,
+    .flange2_torque_plausible = 12000.0,
+    .M2_speed_plausible = 471.2388980384685,
+    .flange3_torque_plausible = 12000.0,
+    .M3_speed_plausible = 471.2388980384685,
+    .flange4_torque_plausible = 12000.0,
+    .M4_speed_plausible = 471.2388980384685,
+    .flange5_torque_plausible = 12000.0,
+    .M5_speed_plausible = 471.2388980384685,
+    .load_compensation = 1.0,
+    .acceleration_torque = 1.0,
+    .switch_time = 0.5,
+    .M1_damping = 96.356,
+    .M1_speed_rated = 335.103216382911,
+    .M1_speed_max = 837.758040957278,
+    .M1_speed_taper = 41.8879,
+    .M1_torque_max = 900.0,
+    .M2_speed_rated = 104.71975511966,
+    .M2_speed_max = 314.159265358979,
+    .M2_speed_taper = 15.708,
+    .M2_torque_max = 2400.0,
+    .M3_speed_rated = 104.71975511966,
+    .M3_speed_max = 314.159265358979,
+    .M3_speed_taper = 15.708,
+    .M3_torque_max = 2400.0,
+    .M4_speed_rated = 104.71975511966,
+    .M4_speed_max = 314.159265358979,
+    .M4_speed_taper = 15.708,
+    .M4_torque_max = 2400.0,
+    .M5_speed_rated = 104.71975511966,
+    .M5_speed_max = 314.159265358979,
+    .M5_speed_taper = 15.708,
+    .M5_torque_max = 2400.0,
+    .M2_speed_ref_rate = 960.0,
+    .M3_speed_ref_rate = 960.0,
+    .M4_speed_ref_rate = 960.0,
+    .M5_speed_ref_rate = 960.0,
+    .M2_speed_gain = 50.0,
+    .M2_speed_integral_gain = 250.0,
+    .M3_speed_gain = 50.0,
+    .M3_speed_integral_gain = 250.0,
+    .M4_speed_gain = 50.0,
+    .M4_speed_integral_gain = 250.0,
+    .M5_speed_gain = 50.0,
+    .M5_speed_integral_gain = 250.0,
+    .M1_sensor_inertia_M2 = -0.016,
+    .M2_inertia = 2.5,
+    .M1_sensor_inertia_M3 = -0.016,
+    .M3_inertia = 2.5,
+    .M1_sensor_inertia_M4 = -0.016,
+    .M4_inertia = 2.5,
+    .M1_sensor_inertia_M5 = -0.016,
+    .M5_inertia = 2.5,
+    .M1_inertia_estimate = 0.52,
+    .M1_feedforward = 1.0,
+    .M1_torque_gain = 0.0,
+    .centre_input_torque_ref_rate = 277950.0,
+    .M1_model_stiffness = 4463.69,
+    .M1_model_damping = 96.356,
+    .M1_torque_model = 1.0,
+    .centre_ratio = 1.0,
+    .front_ratio = 3.2,
+    .rear_ratio = 3.2,
+    .M1_torque_integral_gain = 15.0,
+    .M1_damping_reserve = 0.1,
+    .M1_torque_integral_limit = 450.0,
+};
+
+const all_wheel_drive_controller_params all_wheel_drive_controller_conventional = {
+    .sample_time = 0.0001,
+    .fault_ramp = 0.05,
+    .centre_input_torque_ref_plausible = 15000.0,
+    .M2_speed_ref_plausible = 471.2388980384685,
+    .M3_speed_ref_plausible = 471.2388980384685,
+    .M4_speed_ref_plausible = 471.2388980384685,
+    .M5_speed_ref_plausible = 471.2388980384685,
+    .M1_speed_plausible = 1256.637061435917,
+    .flange1_torque_plausible = 15000.0,
+    .flange2_torque_plausible = 12000.0,
+    .M2_speed_plausible = 471.2388980384685,
+    .flange3_torque_plausible = 12000.0,
+    .M3_speed_plausible = 471.2388980384685,
+    .flange4_torque_plausible = 12000.0,
+    .M4_speed_plausible = 471.2388980384685,
+    .flange5_torque_plausible = 12000.0,
+    .M5_speed_plausible = 471.2388980384685,
+    .load_compensation = 0.0,
+    .acceleration_torque = 0.0,
+    .switch_time = 0.5,
+    .M1_damping = 0.0,
+    .M1_speed_rated = 335.103216382911,
+    .M1_speed_max = 837.758040957278,
+    .M1_speed_taper = 41.8879,
+    .M1_torque_max = 900.0,
+    .M2_speed_rated = 104.71975511966,
+    .M2_speed_max = 314.159265358979,
+    .M2_speed_taper = 15.708,
+    .M2_torque_max = 2400.0,
+    .M3_speed_rated = 104.71975511966,
+    .M3_speed_max = 314.159265358979,
+    .M3_speed_taper = 15.708,
+    .M3_torque_max = 2400.0,
+    .M4_speed_rated = 104.71975511966,
+    .M4_speed_max = 314.159265358979,
+    .M4_speed_taper = 15.708,
+    .M4_torque_max = 2400.0,
+    .M5_speed_rated = 104.71975511966,
+    .M5_speed_max = 314.159265358979,
+    .M5_speed_taper = 15.708,
+    .M5_torque_max = 2400.0,
+    .M2_speed_ref_rate = 960.0,
+    .M3_speed_ref_rate = 960.0,
+    .M4_speed_ref_rate = 960.0,
+    .M5_speed_ref_rate = 960.0,
+    .M2_speed_gain = 50.0,
+    .M2_speed_integral_gain = 250.0,
+    .M3_speed_gain = 50.0,
+    .M3_speed_integral_gain = 250.0,
+    .M4_speed_gain = 50.0,
+    .M4_speed_integral_gain = 250.0,
+    .M5_speed_gain = 50.0,
+    .M5_speed_integral_gain = 250.0,
+    .M1_sensor_inertia_M2 = -0.016,
+    .M2_inertia = 2.5,
+    .M1_sensor_inertia_M3 = -0.016,
+    .M3_inertia = 2.5,
+    .M1_sensor_inertia_M4 = -0.016,
+    .M4_inertia = 2.5,
+    .M1_sensor_inertia_M5 = -0.016,
+    .M5_inertia = 2.5,
+    .M1_inertia_estimate = 0.52,
+    .M1_feedforward = 1.0,
+    .M1_torque_gain = 0.0,
+    .centre_input_torque_ref_rate = 277950.0,
+    .M1_model_stiffness = 4463.69,
+    .M1_model_damping = 96.356,
+    .M1_torque_model = 0.0,
+    .centre_ratio = 1.0,
+    .front_ratio = 3.2,
+    .rear_ratio = 3.2,
+    .M1_torque_integral_gain = 0.397048,
+    .M1_damping_reserve = 0.1,
+    .M1_torque_integral_limit = 450.0,
+};
+
+/* Range of each parameter; `open` excludes the lower bound. The order is that of the status codes. */
+static const struct {
+    const char *text;
+    size_t offset;
+    all_wheel_drive_real least;
+    all_wheel_drive_real most;
+    int open;
+    int not_zero;
+} limits[] = {
+    { "the parameter sample_time is outside its range", offsetof(all_wheel_drive_controller_params, sample_time), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter fault_ramp is outside its range", offsetof(all_wheel_drive_controller_params, fault_ramp), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter centre_input_torque_ref_plausible is outside its range", offsetof(all_wheel_drive_controller_params, centre_input_torque_ref_plausible), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_speed_ref_plausible is outside its range", offsetof(all_wheel_drive_controller_params, M2_speed_ref_plausible), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M3_speed_ref_plausible is outside its range", offsetof(all_wheel_drive_controller_params, M3_speed_ref_plausible), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M4_speed_ref_plausible is outside its range", offsetof(all_wheel_drive_controller_params, M4_speed_ref_plausible), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M5_speed_ref_plausible is outside its range", offsetof(all_wheel_drive_controller_params, M5_speed_ref_plausible), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_speed_plausible is outside its range", offsetof(all_wheel_drive_controller_params, M1_speed_plausible), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter flange1_torque_plausible is outside its range", offsetof(all_wheel_drive_controller_params, flange1_torque_plausible), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter flange2_torque_plausible is outside its range", offsetof(all_wheel_drive_controller_params, flange2_torque_plausible), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_speed_plausible is outside its range", offsetof(all_wheel_drive_controller_params, M2_speed_plausible), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter flange3_torque_plausible is outside its range", offsetof(all_wheel_drive_controller_params, flange3_torque_plausible), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M3_speed_plausible is outside its range", offsetof(all_wheel_drive_controller_params, M3_speed_plausible), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter flange4_torque_plausible is outside its range", offsetof(all_wheel_drive_controller_params, flange4_torque_plausible), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M4_speed_plausible is outside its range", offsetof(all_wheel_drive_controller_params, M4_speed_plausible), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter flange5_torque_plausible is outside its range", offsetof(all_wheel_drive_controller_params, flange5_torque_plausible), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M5_speed_plausible is outside its range", offsetof(all_wheel_drive_controller_params, M5_speed_plausible), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter load_compensation is outside its range", offsetof(all_wheel_drive_controller_params, load_compensation), 0.0, 1.0, 0, 0 },
+    { "the parameter acceleration_torque is outside its range", offsetof(all_wheel_drive_controller_params, acceleration_torque), 0.0, 1.0, 0, 0 },
+    { "the parameter switch_time is outside its range", offsetof(all_wheel_drive_controller_params, switch_time), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_damping is outside its range", offsetof(all_wheel_drive_controller_params, M1_damping), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter M1_speed_rated is outside its range", offsetof(all_wheel_drive_controller_params, M1_speed_rated), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_speed_max is outside its range", offsetof(all_wheel_drive_controller_params, M1_speed_max), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_speed_taper is outside its range", offsetof(all_wheel_drive_controller_params, M1_speed_taper), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_torque_max is outside its range", offsetof(all_wheel_drive_controller_params, M1_torque_max), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_speed_rated is outside its range", offsetof(all_wheel_drive_controller_params, M2_speed_rated), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_speed_max is outside its range", offsetof(all_wheel_drive_controller_params, M2_speed_max), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_speed_taper is outside its range", offsetof(all_wheel_drive_controller_params, M2_speed_taper), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_torque_max is outside its range", offsetof(all_wheel_drive_controller_params, M2_torque_max), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M3_speed_rated is outside its range", offsetof(all_wheel_drive_controller_params, M3_speed_rated), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M3_speed_max is outside its range", offsetof(all_wheel_drive_controller_params, M3_speed_max), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M3_speed_taper is outside its range", offsetof(all_wheel_drive_controller_params, M3_speed_taper), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M3_torque_max is outside its range", offsetof(all_wheel_drive_controller_params, M3_torque_max), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M4_speed_rated is outside its range", offsetof(all_wheel_drive_controller_params, M4_speed_rated), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M4_speed_max is outside its range", offsetof(all_wheel_drive_controller_params, M4_speed_max), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M4_speed_taper is outside its range", offsetof(all_wheel_drive_controller_params, M4_speed_taper), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M4_torque_max is outside its range", offsetof(all_wheel_drive_controller_params, M4_torque_max), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M5_speed_rated is outside its range", offsetof(all_wheel_drive_controller_params, M5_speed_rated), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M5_speed_max is outside its range", offsetof(all_wheel_drive_controller_params, M5_speed_max), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M5_speed_taper is outside its range", offsetof(all_wheel_drive_controller_params, M5_speed_taper), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M5_torque_max is outside its range", offsetof(all_wheel_drive_controller_params, M5_torque_max), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_speed_ref_rate is outside its range", offsetof(all_wheel_drive_controller_params, M2_speed_ref_rate), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M3_speed_ref_rate is outside its range", offsetof(all_wheel_drive_controller_params, M3_speed_ref_rate), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M4_speed_ref_rate is outside its range", offsetof(all_wheel_drive_controller_params, M4_speed_ref_rate), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M5_speed_ref_rate is outside its range", offsetof(all_wheel_drive_controller_params, M5_speed_ref_rate), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_speed_gain is outside its range", offsetof(all_wheel_drive_controller_params, M2_speed_gain), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_speed_integral_gain is outside its range", offsetof(all_wheel_drive_controller_params, M2_speed_integral_gain), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter M3_speed_gain is outside its range", offsetof(all_wheel_drive_controller_params, M3_speed_gain), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M3_speed_integral_gain is outside its range", offsetof(all_wheel_drive_controller_params, M3_speed_integral_gain), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter M4_speed_gain is outside its range", offsetof(all_wheel_drive_controller_params, M4_speed_gain), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M4_speed_integral_gain is outside its range", offsetof(all_wheel_drive_controller_params, M4_speed_integral_gain), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter M5_speed_gain is outside its range", offsetof(all_wheel_drive_controller_params, M5_speed_gain), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M5_speed_integral_gain is outside its range", offsetof(all_wheel_drive_controller_params, M5_speed_integral_gain), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter M1_sensor_inertia_M2 is outside its range", offsetof(all_wheel_drive_controller_params, M1_sensor_inertia_M2), -DBL_MAX, DBL_MAX, 0, 0 },
+    { "the parameter M2_inertia is outside its range", offsetof(all_wheel_drive_controller_params, M2_inertia), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_sensor_inertia_M3 is outside its range", offsetof(all_wheel_drive_controller_params, M1_sensor_inertia_M3), -DBL_MAX, DBL_MAX, 0, 0 },
+    { "the parameter M3_inertia is outside its range", offsetof(all_wheel_drive_controller_params, M3_inertia), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_sensor_inertia_M4 is outside its range", offsetof(all_wheel_drive_controller_params, M1_sensor_inertia_M4), -DBL_MAX, DBL_MAX, 0, 0 },
+    { "the parameter M4_inertia is outside its range", offsetof(all_wheel_drive_controller_params, M4_inertia), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_sensor_inertia_M5 is outside its range", offsetof(all_wheel_drive_controller_params, M1_sensor_inertia_M5), -DBL_MAX, DBL_MAX, 0, 0 },
+    { "the parameter M5_inertia is outside its range", offsetof(all_wheel_drive_controller_params, M5_inertia), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_inertia_estimate is outside its range", offsetof(all_wheel_drive_controller_params, M1_inertia_estimate), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_feedforward is outside its range", offsetof(all_wheel_drive_controller_params, M1_feedforward), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter M1_torque_gain is outside its range", offsetof(all_wheel_drive_controller_params, M1_torque_gain), -1.0, DBL_MAX, 1, 0 },
+    { "the parameter centre_input_torque_ref_rate is outside its range", offsetof(all_wheel_drive_controller_params, centre_input_torque_ref_rate), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_model_stiffness is outside its range", offsetof(all_wheel_drive_controller_params, M1_model_stiffness), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter M1_model_damping is outside its range", offsetof(all_wheel_drive_controller_params, M1_model_damping), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter M1_torque_model is outside its range", offsetof(all_wheel_drive_controller_params, M1_torque_model), 0.0, 1.0, 0, 0 },
+    { "the parameter centre_ratio is outside its range", offsetof(all_wheel_drive_controller_params, centre_ratio), -DBL_MAX, DBL_MAX, 0, 1 },
+    { "the parameter front_ratio is outside its range", offsetof(all_wheel_drive_controller_params, front_ratio), -DBL_MAX, DBL_MAX, 0, 1 },
+    { "the parameter rear_ratio is outside its range", offsetof(all_wheel_drive_controller_params, rear_ratio), -DBL_MAX, DBL_MAX, 0, 1 },
+    { "the parameter M1_torque_integral_gain is outside its range", offsetof(all_wheel_drive_controller_params, M1_torque_integral_gain), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter M1_damping_reserve is outside its range", offsetof(all_wheel_drive_controller_params, M1_damping_reserve), 0.0, 1.0, 0, 0 },
+    { "the parameter M1_torque_integral_limit is outside its range", offsetof(all_wheel_drive_controller_params, M1_torque_integral_limit), 0.0, DBL_MAX, 0, 0 },
+};
+
+enum { limit_count = sizeof limits / sizeof limits[0] };
+
+const char *all_wheel_drive_controller_status_text(all_wheel_drive_controller_status status)
+{
+    switch ((int)status) {
+    case all_wheel_drive_controller_ok:
+        return "ok";
+    case all_wheel_drive_controller_fault_centre_input_torque_ref:
+        return "fault: centre_input_torque_ref was not finite or not plausible";
+    case all_wheel_drive_controller_fault_M2_speed_ref:
+        return "fault: M2_speed_ref was not finite or not plausible";
+    case all_wheel_drive_controller_fault_M3_speed_ref:
+        return "fault: M3_speed_ref was not finite or not plausible";
+    case all_wheel_drive_controller_fault_M4_speed_ref:
+        return "fault: M4_speed_ref was not finite or not plausible";
+    case all_wheel_drive_controller_fault_M5_speed_ref:
+        return "fault: M5_speed_ref was not finite or not plausible";
+    case all_wheel_drive_controller_fault_M1_speed:
+        return "fault: M1_speed was not finite or not plausible";
+    case all_wheel_drive_controller_fault_flange1_torque:
+        return "fault: flange1_torque was not finite or not plausible";
+    case all_wheel_drive_controller_fault_flange2_torque:
+        return "fault: flange2_torque was not finite or not plausible";
+    case all_wheel_drive_controller_fault_M2_speed:
+        return "fault: M2_speed was not finite or not plausible";
+    case all_wheel_drive_controller_fault_flange3_torque:
+        return "fault: flange3_torque was not finite or not plausible";
+    case all_wheel_drive_controller_fault_M3_speed:
+        return "fault: M3_speed was not finite or not plausible";
+    case all_wheel_drive_controller_fault_flange4_torque:
+        return "fault: flange4_torque was not finite or not plausible";
+    case all_wheel_drive_controller_fault_M4_speed:
+        return "fault: M4_speed was not finite or not plausible";
+    case all_wheel_drive_controller_fault_flange5_torque:
+        return "fault: flange5_torque was not finite or not plausible";
+    case all_wheel_drive_controller_fault_M5_speed:
+        return "fault: M5_speed was not finite or not plausible";
+    case all_wheel_drive_controller_fault_M1_torque_ref:
+        return "fault: M1_torque_ref was not finite or not plausible";
+    case all_wheel_drive_controller_fault_M2_torque_ref:
+        return "fault: M2_torque_ref was not finite or not plausible";
+    case all_wheel_drive_controller_fault_M3_torque_ref:
+        return "fault: M3_torque_ref was not finite or not plausible";
+    case all_wheel_drive_controller_fault_M4_torque_ref:
+        return "fault: M4_torque_ref was not finite or not plausible";
+    case all_wheel_drive_controller_fault_M5_torque_ref:
+        return "fault: M5_torque_ref was not finite or not plausible";
+    default:
+        break;
+    }
+    const int limit = (int)status - 2000;
+    return limit >= 0 && limit < limit_count ? limits[limit].text : "unknown status";
+}
+
+all_wheel_drive_controller_status all_wheel_drive_controller_init(all_wheel_drive_controller_state *s, const all_wheel_drive_controller_params *p)
+{
+    memset(s, 0, sizeof *s);
+    s->authority = 1.0;
+    const all_wheel_drive_controller_status status = all_wheel_drive_controller_update(s, p);
+    if (status != all_wheel_drive_controller_ok) {
+        s->authority = 0.0; /* never started: no torque at all */
+    }
+    return status;
+}
+
+all_wheel_drive_controller_status all_wheel_drive_controller_update(all_wheel_drive_controller_state *s, const all_wheel_drive_controller_params *p)
+{
+    for (int k = 0; k < limit_count; ++k) {
+        const all_wheel_drive_real value = *(const all_wheel_drive_real *)(const void *)((const char *)p + limits[k].offset);
+        const int above = limits[k].open ? value > limits[k].least : value >= limits[k].least; /* false for NaN */
+        if (!(above && value <= limits[k].most) || (limits[k].not_zero && value == 0.0)) {
+            s->fault = s->fault > 0.0 ? s->fault : ALL_WHEEL_DRIVE_REAL(2000 + k); /* latched like any fault */
+            return (all_wheel_drive_controller_status)(2000 + k);
+        }
+    }
+    s->switch_share = p->sample_time / p->switch_time;
+    s->M1_taper_slope = 1.0 / p->M1_speed_taper;
+    s->M1_taper_end = p->M1_speed_max / p->M1_speed_taper + 1.0;
+    s->M2_taper_slope = 1.0 / p->M2_speed_taper;
+    s->M2_taper_end = p->M2_speed_max / p->M2_speed_taper + 1.0;
+    s->M3_taper_slope = 1.0 / p->M3_speed_taper;
+    s->M3_taper_end = p->M3_speed_max / p->M3_speed_taper + 1.0;
+    s->M4_taper_slope = 1.0 / p->M4_speed_taper;
+    s->M4_taper_end = p->M4_speed_max / p->M4_speed_taper + 1.0;
+    s->M5_taper_slope = 1.0 / p->M5_speed_taper;
+    s->M5_taper_end = p->M5_speed_max / p->M5_speed_taper + 1.0;
+    s->M2_speed_ref_step = p->M2_speed_ref_rate * p->sample_time;
+    s->M3_speed_ref_step = p->M3_speed_ref_rate * p->sample_time;
+    s->M4_speed_ref_step = p->M4_speed_ref_rate * p->sample_time;
+    s->M5_speed_ref_step = p->M5_speed_ref_rate * p->sample_time;
+    s->M2_speed_growth = p->M2_speed_integral_gain * p->sample_time;
+    s->M2_speed_conditioning = p->M2_speed_integral_gain * p->sample_time / p->M2_speed_gain;
+    s->M3_speed_growth = p->M3_speed_integral_gain * p->sample_time;
+    s->M3_speed_conditioning = p->M3_speed_integral_gain * p->sample_time / p->M3_speed_gain;
+    s->M4_speed_growth = p->M4_speed_integral_gain * p->sample_time;
+    s->M4_speed_conditioning = p->M4_speed_integral_gain * p->sample_time / p->M4_speed_gain;
+    s->M5_speed_growth = p->M5_speed_integral_gain * p->sample_time;
+    s->M5_speed_conditioning = p->M5_speed_integral_gain * p->sample_time / p->M5_speed_gain;
+    s->M1_unread_M2 = p->M1_sensor_inertia_M2 / p->M2_inertia;
+    s->M1_unread_M3 = p->M1_sensor_inertia_M3 / p->M3_inertia;
+    s->M1_unread_M4 = p->M1_sensor_inertia_M4 / p->M4_inertia;
+    s->M1_unread_M5 = p->M1_sensor_inertia_M5 / p->M5_inertia;
+    s->centre_input_torque_ref_step = p->centre_input_torque_ref_rate * p->sample_time;
+    s->M1_model_pull = p->M1_model_stiffness * p->sample_time / p->M1_inertia_estimate;
+    s->M1_model_drag = p->M1_model_damping * p->sample_time / p->M1_inertia_estimate;
+    s->M1_with_M2 = (0.25) * p->M1_inertia_estimate * p->centre_ratio * p->front_ratio / p->M2_inertia;
+    s->M1_with_M3 = (0.25) * p->M1_inertia_estimate * p->centre_ratio * p->front_ratio / p->M3_inertia;
+    s->M1_with_M4 = (0.25) * p->M1_inertia_estimate * p->centre_ratio * p->rear_ratio / p->M4_inertia;
+    s->M1_with_M5 = (0.25) * p->M1_inertia_estimate * p->centre_ratio * p->rear_ratio / p->M5_inertia;
+    s->M1_twist_M2_speed = (0.25) * p->centre_ratio * p->front_ratio;
+    s->M1_twist_M3_speed = (0.25) * p->centre_ratio * p->front_ratio;
+    s->M1_twist_M4_speed = (0.25) * p->centre_ratio * p->rear_ratio;
+    s->M1_twist_M5_speed = (0.25) * p->centre_ratio * p->rear_ratio;
+    s->M1_torque_growth = p->M1_torque_integral_gain * p->sample_time;
+    return all_wheel_drive_controller_ok;
+}
+
+all_wheel_drive_controller_status all_wheel_drive_controller_step(all_wheel_drive_controller_state *s, const all_wheel_drive_controller_params *p,
+    const all_wheel_drive_controller_inputs *in, all_wheel_drive_controller_outputs *out)
+{
+    /* supervision */
+    all_wheel_drive_real centre_input_torque_ref_sound;
+    all_wheel_drive_guard(in->centre_input_torque_ref, p->centre_input_torque_ref_plausible,
+        s->centre_input_torque_ref_held, &s->centre_input_torque_ref_held, &centre_input_torque_ref_sound);
+    all_wheel_drive_real M2_speed_ref_sound;
+    all_wheel_drive_guard(in->M2_speed_ref, p->M2_speed_ref_plausible, s->M2_speed_ref_held, &s->M2_speed_ref_held,
+        &M2_speed_ref_sound);
+    all_wheel_drive_real M3_speed_ref_sound;
+    all_wheel_drive_guard(in->M3_speed_ref, p->M3_speed_ref_plausible, s->M3_speed_ref_held, &s->M3_speed_ref_held,
+        &M3_speed_ref_sound);
+    all_wheel_drive_real M4_speed_ref_sound;
+    all_wheel_drive_guard(in->M4_speed_ref, p->M4_speed_ref_plausible, s->M4_speed_ref_held, &s->M4_speed_ref_held,
+        &M4_speed_ref_sound);
+    all_wheel_drive_real M5_speed_ref_sound;
+    all_wheel_drive_guard(in->M5_speed_ref, p->M5_speed_ref_plausible, s->M5_speed_ref_held, &s->M5_speed_ref_held,
+        &M5_speed_ref_sound);
+    all_wheel_drive_real M1_speed_sound;
+    all_wheel_drive_guard(in->M1_speed, p->M1_speed_plausible, s->M1_speed_held, &s->M1_speed_held,
+        &M1_speed_sound);
+    all_wheel_drive_real flange1_torque_sound;
+    all_wheel_drive_guard(in->flange1_torque, p->flange1_torque_plausible, s->flange1_torque_held,
+        &s->flange1_torque_held, &flange1_torque_sound);
+    all_wheel_drive_real flange2_torque_sound;
+    all_wheel_drive_guard(in->flange2_torque, p->flange2_torque_plausible, s->flange2_torque_held,
+        &s->flange2_torque_held, &flange2_torque_sound);
+    all_wheel_drive_real M2_speed_sound;
+    all_wheel_drive_guard(in->M2_speed, p->M2_speed_plausible, s->M2_speed_held, &s->M2_speed_held,
+        &M2_speed_sound);
+    all_wheel_drive_real flange3_torque_sound;
+    all_wheel_drive_guard(in->flange3_torque, p->flange3_torque_plausible, s->flange3_torque_held,
+        &s->flange3_torque_held, &flange3_torque_sound);
+    all_wheel_drive_real M3_speed_sound;
+    all_wheel_drive_guard(in->M3_speed, p->M3_speed_plausible, s->M3_speed_held, &s->M3_speed_held,
+        &M3_speed_sound);
+    all_wheel_drive_real flange4_torque_sound;
+    all_wheel_drive_guard(in->flange4_torque, p->flange4_torque_plausible, s->flange4_torque_held,
+        &s->flange4_torque_held, &flange4_torque_sound);
+    all_wheel_drive_real M4_speed_sound;
+    all_wheel_drive_guard(in->M4_speed, p->M4_speed_plausible, s->M4_speed_held, &s->M4_speed_held,
+        &M4_speed_sound);
+    all_wheel_drive_real flange5_torque_sound;
+    all_wheel_drive_guard(in->flange5_torque, p->flange5_torque_plausible, s->flange5_torque_held,
+        &s->flange5_torque_held, &flange5_torque_sound);
+    all_wheel_drive_real M5_speed_sound;
+    all_wheel_drive_guard(in->M5_speed, p->M5_speed_plausible, s->M5_speed_held, &s->M5_speed_held,
+        &M5_speed_sound);
+    /* the first fault is latched */
+    s->fault = ((centre_input_torque_ref_sound < 0.5 && s->fault < 0.5) ? 1.0 : s->fault);
+    s->fault = ((M2_speed_ref_sound < 0.5 && s->fault < 0.5) ? 2.0 : s->fault);
+    s->fault = ((M3_speed_ref_sound < 0.5 && s->fault < 0.5) ? 3.0 : s->fault);
+    s->fault = ((M4_speed_ref_sound < 0.5 && s->fault < 0.5) ? 4.0 : s->fault);
+    s->fault = ((M5_speed_ref_sound < 0.5 && s->fault < 0.5) ? 5.0 : s->fault);
+    s->fault = ((M1_speed_sound < 0.5 && s->fault < 0.5) ? 6.0 : s->fault);
+    s->fault = ((s->fault < 0.5 && flange1_torque_sound < 0.5) ? 7.0 : s->fault);
+    s->fault = ((s->fault < 0.5 && flange2_torque_sound < 0.5) ? 8.0 : s->fault);
+    s->fault = ((M2_speed_sound < 0.5 && s->fault < 0.5) ? 9.0 : s->fault);
+    s->fault = ((s->fault < 0.5 && flange3_torque_sound < 0.5) ? 10.0 : s->fault);
+    s->fault = ((M3_speed_sound < 0.5 && s->fault < 0.5) ? 11.0 : s->fault);
+    s->fault = ((s->fault < 0.5 && flange4_torque_sound < 0.5) ? 12.0 : s->fault);
+    s->fault = ((M4_speed_sound < 0.5 && s->fault < 0.5) ? 13.0 : s->fault);
+    s->fault = ((s->fault < 0.5 && flange5_torque_sound < 0.5) ? 14.0 : s->fault);
+    s->fault = ((M5_speed_sound < 0.5 && s->fault < 0.5) ? 15.0 : s->fault);
+    /* load_compensation follows its parameter along a ramp */
+    const all_wheel_drive_real load_compensation_before = ((s->running > 0.5) ? s->load_compensation_now :
+        p->load_compensation);
+    const all_wheel_drive_real load_compensation_distance = p->load_compensation - load_compensation_before;
+    const all_wheel_drive_real load_compensation_moved = ((p->load_compensation != s->load_compensation_target) ?
+        all_wheel_drive_max(s->switch_share * all_wheel_drive_abs(load_compensation_distance), 1e-06 *
+        all_wheel_drive_abs(p->load_compensation) + 1e-06 * all_wheel_drive_abs(load_compensation_before)) :
+        s->load_compensation_step);
+    s->load_compensation_now = ((load_compensation_moved >= all_wheel_drive_abs(load_compensation_distance)) ?
+        p->load_compensation : ((load_compensation_distance > 0.0) ? load_compensation_before +
+        load_compensation_moved : load_compensation_before - load_compensation_moved));
+    s->load_compensation_step = ((load_compensation_moved >= all_wheel_drive_abs(load_compensation_distance)) ? 0.0
+        : load_compensation_moved);
+    s->load_compensation_target = p->load_compensation;
+    /* acceleration_torque follows its parameter along a ramp */
+    const all_wheel_drive_real acceleration_torque_before = ((s->running > 0.5) ? s->acceleration_torque_now :
+        p->acceleration_torque);
+    const all_wheel_drive_real acceleration_torque_distance = p->acceleration_torque - acceleration_torque_before;
+    const all_wheel_drive_real acceleration_torque_moved = ((p->acceleration_torque !=
+        s->acceleration_torque_target) ? all_wheel_drive_max(s->switch_share *
+        all_wheel_drive_abs(acceleration_torque_distance), 1e-06 * all_wheel_drive_abs(p->acceleration_torque) +
+        1e-06 * all_wheel_drive_abs(acceleration_torque_before)) : s->acceleration_torque_step);
+    s->acceleration_torque_now = ((acceleration_torque_moved >= all_wheel_drive_abs(acceleration_torque_distance)) ?
+        p->acceleration_torque : ((acceleration_torque_distance > 0.0) ? acceleration_torque_before +
+        acceleration_torque_moved : acceleration_torque_before - acceleration_torque_moved));
+    s->acceleration_torque_step = ((acceleration_torque_moved >= all_wheel_drive_abs(acceleration_torque_distance))
+        ? 0.0 : acceleration_torque_moved);
+    s->acceleration_torque_target = p->acceleration_torque;
+    /* M1_damping follows its parameter along a ramp */
+    const all_wheel_drive_real M1_damping_before = ((s->running > 0.5) ? s->M1_damping_now : p->M1_damping);
+    const all_wheel_drive_real M1_damping_distance = p->M1_damping - M1_damping_before;
+    const all_wheel_drive_real M1_damping_moved = ((p->M1_damping != s->M1_damping_target) ?
+        all_wheel_drive_max(s->switch_share * all_wheel_drive_abs(M1_damping_distance), 1e-06 *
+        all_wheel_drive_abs(p->M1_damping) + 1e-06 * all_wheel_drive_abs(M1_damping_before)) : s->M1_damping_step);
+    s->M1_damping_now = ((M1_damping_moved >= all_wheel_drive_abs(M1_damping_distance)) ? p->M1_damping :
+        ((M1_damping_distance > 0.0) ? M1_damping_before + M1_damping_moved : M1_damping_before -
+        M1_damping_moved));
+    s->M1_damping_step = ((M1_damping_moved >= all_wheel_drive_abs(M1_damping_distance)) ? 0.0 : M1_damping_moved);
+    s->M1_damping_target = p->M1_damping;
+    /* torque-speed envelope, Figure 7.1 */
+    const all_wheel_drive_real M1_available = p->M1_speed_rated * p->M1_torque_max /
+        all_wheel_drive_max(p->M1_speed_rated, all_wheel_drive_abs(s->M1_speed_held));
+    const all_wheel_drive_real M1_least = -M1_available * all_wheel_drive_max(0.0, all_wheel_drive_min(1.0,
+        s->M1_speed_held * s->M1_taper_slope + s->M1_taper_end));
+    const all_wheel_drive_real M1_most = M1_available * all_wheel_drive_max(0.0, all_wheel_drive_min(1.0,
+        -s->M1_speed_held * s->M1_taper_slope + s->M1_taper_end));
+    const all_wheel_drive_real M2_available = p->M2_speed_rated * p->M2_torque_max /
+        all_wheel_drive_max(p->M2_speed_rated, all_wheel_drive_abs(s->M2_speed_held));
+    const all_wheel_drive_real M2_least = -M2_available * all_wheel_drive_max(0.0, all_wheel_drive_min(1.0,
+        s->M2_speed_held * s->M2_taper_slope + s->M2_taper_end));
+    const all_wheel_drive_real M2_most = M2_available * all_wheel_drive_max(0.0, all_wheel_drive_min(1.0,
+        -s->M2_speed_held * s->M2_taper_slope + s->M2_taper_end));
+    const all_wheel_drive_real M3_available = p->M3_speed_rated * p->M3_torque_max /
+        all_wheel_drive_max(p->M3_speed_rated, all_wheel_drive_abs(s->M3_speed_held));
+    const all_wheel_drive_real M3_least = -M3_available * all_wheel_drive_max(0.0, all_wheel_drive_min(1.0,
+        s->M3_speed_held * s->M3_taper_slope + s->M3_taper_end));
+    const all_wheel_drive_real M3_most = M3_available * all_wheel_drive_max(0.0, all_wheel_drive_min(1.0,
+        -s->M3_speed_held * s->M3_taper_slope + s->M3_taper_end));
+    const all_wheel_drive_real M4_available = p->M4_speed_rated * p->M4_torque_max /
+        all_wheel_drive_max(p->M4_speed_rated, all_wheel_drive_abs(s->M4_speed_held));
+    const all_wheel_drive_real M4_least = -M4_available * all_wheel_drive_max(0.0, all_wheel_drive_min(1.0,
+        s->M4_speed_held * s->M4_taper_slope + s->M4_taper_end));
+    const all_wheel_drive_real M4_most = M4_available * all_wheel_drive_max(0.0, all_wheel_drive_min(1.0,
+        -s->M4_speed_held * s->M4_taper_slope + s->M4_taper_end));
+    const all_wheel_drive_real M5_available = p->M5_speed_rated * p->M5_torque_max /
+        all_wheel_drive_max(p->M5_speed_rated, all_wheel_drive_abs(s->M5_speed_held));
+    const all_wheel_drive_real M5_least = -M5_available * all_wheel_drive_max(0.0, all_wheel_drive_min(1.0,
+        s->M5_speed_held * s->M5_taper_slope + s->M5_taper_end));
+    const all_wheel_drive_real M5_most = M5_available * all_wheel_drive_max(0.0, all_wheel_drive_min(1.0,
+        -s->M5_speed_held * s->M5_taper_slope + s->M5_taper_end));
+    /* rate of the reference */
+    const all_wheel_drive_real M2_speed_ref_before = ((s->running > 0.5) ? s->M2_speed_ref_limited :
+        s->M2_speed_held);
+    s->M2_speed_ref_limited = M2_speed_ref_before + all_wheel_drive_max(-s->M2_speed_ref_step,
+        all_wheel_drive_min(s->M2_speed_ref_step, -M2_speed_ref_before + s->M2_speed_ref_held));
+    const all_wheel_drive_real M3_speed_ref_before = ((s->running > 0.5) ? s->M3_speed_ref_limited :
+        s->M3_speed_held);
+    s->M3_speed_ref_limited = M3_speed_ref_before + all_wheel_drive_max(-s->M3_speed_ref_step,
+        all_wheel_drive_min(s->M3_speed_ref_step, -M3_speed_ref_before + s->M3_speed_ref_held));
+    const all_wheel_drive_real M4_speed_ref_before = ((s->running > 0.5) ? s->M4_speed_ref_limited :
+        s->M4_speed_held);
+    s->M4_speed_ref_limited = M4_speed_ref_before + all_wheel_drive_max(-s->M4_speed_ref_step,
+        all_wheel_drive_min(s->M4_speed_ref_step, -M4_speed_ref_before + s->M4_speed_ref_held));
+    const all_wheel_drive_real M5_speed_ref_before = ((s->running > 0.5) ? s->M5_speed_ref_limited :
+        s->M5_speed_held);
+    s->M5_speed_ref_limited = M5_speed_ref_before + all_wheel_drive_max(-s->M5_speed_ref_step,
+        all_wheel_drive_min(s->M5_speed_ref_step, -M5_speed_ref_before + s->M5_speed_ref_held));
+    const all_wheel_drive_real M2_speed_error = -s->M2_speed_held + s->M2_speed_ref_limited;
+    /* load torque compensation (5.52), (5.74) */
+    const all_wheel_drive_real M2_compensation = -s->flange2_torque_held;
+    /* so that a switch does not jump */
+    const all_wheel_drive_real M2_given_away = M2_compensation * (load_compensation_before -
+        s->load_compensation_now);
+    /* PI speed control (5.84) */
+    const all_wheel_drive_real M2_integral_before = ((p->M2_speed_integral_gain > 0.0) ? M2_given_away : 0.0) +
+        ((s->running > 0.5) ? s->M2_speed_integral : 0.0);
+    const all_wheel_drive_real M2_asked = M2_integral_before + M2_speed_error * p->M2_speed_gain;
+    /* torque-speed envelope */
+    const all_wheel_drive_real M2_command = all_wheel_drive_max(M2_least, all_wheel_drive_min(M2_most, M2_asked +
+        M2_compensation * s->load_compensation_now));
+    /* what the limit leaves of it */
+    const all_wheel_drive_real M2_virtual = M2_command - M2_compensation * s->load_compensation_now;
+    /* conditioning anti-windup (Hanus) */
+    s->M2_speed_integral = M2_integral_before + s->M2_speed_conditioning * (-M2_asked + M2_virtual) + M2_speed_error
+        * s->M2_speed_growth;
+    /* net torque on the rotor */
+    const all_wheel_drive_real M2_net = M2_command - M2_compensation;
+    const all_wheel_drive_real M3_speed_error = -s->M3_speed_held + s->M3_speed_ref_limited;
+    /* load torque compensation (5.52), (5.74) */
+    const all_wheel_drive_real M3_compensation = -s->flange3_torque_held;
+    /* so that a switch does not jump */
+    const all_wheel_drive_real M3_given_away = M3_compensation * (load_compensation_before -
+        s->load_compensation_now);
+    /* PI speed control (5.84) */
+    const all_wheel_drive_real M3_integral_before = ((p->M3_speed_integral_gain > 0.0) ? M3_given_away : 0.0) +
+        ((s->running > 0.5) ? s->M3_speed_integral : 0.0);
+    const all_wheel_drive_real M3_asked = M3_integral_before + M3_speed_error * p->M3_speed_gain;
+    /* torque-speed envelope */
+    const all_wheel_drive_real M3_command = all_wheel_drive_max(M3_least, all_wheel_drive_min(M3_most, M3_asked +
+        M3_compensation * s->load_compensation_now));
+    /* what the limit leaves of it */
+    const all_wheel_drive_real M3_virtual = M3_command - M3_compensation * s->load_compensation_now;
+    /* conditioning anti-windup (Hanus) */
+    s->M3_speed_integral = M3_integral_before + s->M3_speed_conditioning * (-M3_asked + M3_virtual) + M3_speed_error
+        * s->M3_speed_growth;
+    /* net torque on the rotor */
+    const all_wheel_drive_real M3_net = M3_command - M3_compensation;
+    const all_wheel_drive_real M4_speed_error = -s->M4_speed_held + s->M4_speed_ref_limited;
+    /* load torque compensation (5.52), (5.74) */
+    const all_wheel_drive_real M4_compensation = -s->flange4_torque_held;
+    /* so that a switch does not jump */
+    const all_wheel_drive_real M4_given_away = M4_compensation * (load_compensation_before -
+        s->load_compensation_now);
+    /* PI speed control (5.84) */
+    const all_wheel_drive_real M4_integral_before = ((p->M4_speed_integral_gain > 0.0) ? M4_given_away : 0.0) +
+        ((s->running > 0.5) ? s->M4_speed_integral : 0.0);
+    const all_wheel_drive_real M4_asked = M4_integral_before + M4_speed_error * p->M4_speed_gain;
+    /* torque-speed envelope */
+    const all_wheel_drive_real M4_command = all_wheel_drive_max(M4_least, all_wheel_drive_min(M4_most, M4_asked +
+        M4_compensation * s->load_compensation_now));
+    /* what the limit leaves of it */
+    const all_wheel_drive_real M4_virtual = M4_command - M4_compensation * s->load_compensation_now;
+    /* conditioning anti-windup (Hanus) */
+    s->M4_speed_integral = M4_integral_before + s->M4_speed_conditioning * (-M4_asked + M4_virtual) + M4_speed_error
+        * s->M4_speed_growth;
+    /* net torque on the rotor */
+    const all_wheel_drive_real M4_net = M4_command - M4_compensation;
+    const all_wheel_drive_real M5_speed_error = -s->M5_speed_held + s->M5_speed_ref_limited;
+    /* load torque compensation (5.52), (5.74) */
+    const all_wheel_drive_real M5_compensation = -s->flange5_torque_held;
+    /* so that a switch does not jump */
+    const all_wheel_drive_real M5_given_away = M5_compensation * (load_compensation_before -
+        s->load_compensation_now);
+    /* PI speed control (5.84) */
+    const all_wheel_drive_real M5_integral_before = ((p->M5_speed_integral_gain > 0.0) ? M5_given_away : 0.0) +
+        ((s->running > 0.5) ? s->M5_speed_integral : 0.0);
+    const all_wheel_drive_real M5_asked = M5_integral_before + M5_speed_error * p->M5_speed_gain;
+    /* torque-speed envelope */
+    const all_wheel_drive_real M5_command = all_wheel_drive_max(M5_least, all_wheel_drive_min(M5_most, M5_asked +
+        M5_compensation * s->load_compensation_now));
+    /* what the limit leaves of it */
+    const all_wheel_drive_real M5_virtual = M5_command - M5_compensation * s->load_compensation_now;
+    /* conditioning anti-windup (Hanus) */
+    s->M5_speed_integral = M5_integral_before + s->M5_speed_conditioning * (-M5_asked + M5_virtual) + M5_speed_error
+        * s->M5_speed_growth;
+    /* net torque on the rotor */
+    const all_wheel_drive_real M5_net = M5_command - M5_compensation;
+    /* testing torque from the sensors (5.95), (5.96), (5.98) */
+    const all_wheel_drive_real centre_input_torque_estimate = s->M1_unread_M2 * M2_net + s->M1_unread_M3 * M3_net +
+        s->M1_unread_M4 * M4_net + s->M1_unread_M5 * M5_net + s->flange1_torque_held;
+    /* rate of the reference */
+    const all_wheel_drive_real centre_input_torque_ref_before = ((s->running > 0.5) ?
+        s->centre_input_torque_ref_limited : centre_input_torque_estimate);
+    s->centre_input_torque_ref_limited = centre_input_torque_ref_before +
+        all_wheel_drive_max(-s->centre_input_torque_ref_step, all_wheel_drive_min(s->centre_input_torque_ref_step,
+        -centre_input_torque_ref_before + s->centre_input_torque_ref_held));
+    /* torque model (5.57), (5.76) */
+    const all_wheel_drive_real M1_model_before = ((s->running > 0.5) ? s->M1_model_torque :
+        centre_input_torque_estimate);
+    const all_wheel_drive_real M1_rate_before = ((s->running > 0.5) ? s->M1_model_rate : 0.0);
+    s->M1_model_rate = -s->M1_model_drag * M1_rate_before + s->M1_model_pull * (-M1_model_before +
+        s->centre_input_torque_ref_limited) + M1_rate_before;
+    s->M1_model_torque = M1_model_before + s->M1_model_rate * p->sample_time;
+    const all_wheel_drive_real M1_torque_error = s->M1_model_torque * p->M1_torque_model -
+        centre_input_torque_estimate + s->centre_input_torque_ref_limited * (1.0 - p->M1_torque_model);
+    /* torque control (5.99) */
+    const all_wheel_drive_real M1_integral_before = ((s->running > 0.5) ? s->M1_torque_integral : 0.0);
+    const all_wheel_drive_real M1_virtual = p->M1_feedforward * s->centre_input_torque_ref_limited +
+        M1_integral_before + M1_torque_error * p->M1_torque_gain;
+    /* active damping (5.62), (5.78) */
+    const all_wheel_drive_real M1_twist_rate_M1 = -s->M1_speed_held + s->M1_twist_M2_speed * s->M2_speed_held +
+        s->M1_twist_M3_speed * s->M3_speed_held + s->M1_twist_M4_speed * s->M4_speed_held + s->M1_twist_M5_speed *
+        s->M5_speed_held;
+    const all_wheel_drive_real M1_damping_torque = s->M1_damping_now * M1_twist_rate_M1;
+    /* with the acceleration torque (5.62), (5.78) */
+    const all_wheel_drive_real M1_wanted = M1_virtual + s->acceleration_torque_now * (s->M1_with_M2 * M2_net +
+        s->M1_with_M3 * M3_net + s->M1_with_M4 * M4_net + s->M1_with_M5 * M5_net);
+    /* reserve for active damping */
+    const all_wheel_drive_real M1_kept = all_wheel_drive_max(M1_least * (1.0 - p->M1_damping_reserve),
+        all_wheel_drive_min(M1_wanted, M1_most * (1.0 - p->M1_damping_reserve)));
+    /* torque-speed envelope */
+    const all_wheel_drive_real M1_command = all_wheel_drive_max(M1_least, all_wheel_drive_min(M1_most,
+        M1_damping_torque + M1_kept));
+    /* limited integrator */
+    s->M1_torque_integral = ((M1_torque_error * (-M1_kept + M1_wanted) > 0.0) ? M1_integral_before :
+        all_wheel_drive_max(-p->M1_torque_integral_limit, all_wheel_drive_min(p->M1_torque_integral_limit,
+        M1_integral_before + M1_torque_error * s->M1_torque_growth)));
+    const all_wheel_drive_real M1_largest = 1.01 * p->M1_torque_max;
+    /* only sound torques leave */
+    all_wheel_drive_real M1_released;
+    all_wheel_drive_real M1_released_sound;
+    all_wheel_drive_guard(M1_command, M1_largest, s->M1_last, &M1_released, &M1_released_sound);
+    const all_wheel_drive_real M2_largest = 1.01 * p->M2_torque_max;
+    all_wheel_drive_real M2_released;
+    all_wheel_drive_real M2_released_sound;
+    all_wheel_drive_guard(M2_command, M2_largest, s->M2_last, &M2_released, &M2_released_sound);
+    const all_wheel_drive_real M3_largest = 1.01 * p->M3_torque_max;
+    all_wheel_drive_real M3_released;
+    all_wheel_drive_real M3_released_sound;
+    all_wheel_drive_guard(M3_command, M3_largest, s->M3_last, &M3_released, &M3_released_sound);
+    const all_wheel_drive_real M4_largest = 1.01 * p->M4_torque_max;
+    all_wheel_drive_real M4_released;
+    all_wheel_drive_real M4_released_sound;
+    all_wheel_drive_guard(M4_command, M4_largest, s->M4_last, &M4_released, &M4_released_sound);
+    const all_wheel_drive_real M5_largest = 1.01 * p->M5_torque_max;
+    all_wheel_drive_real M5_released;
+    all_wheel_drive_real M5_released_sound;
+    all_wheel_drive_guard(M5_command, M5_largest, s->M5_last, &M5_released, &M5_released_sound);
+    /* the first fault is latched */
+    s->fault = ((M1_released_sound < 0.5 && s->fault < 0.5) ? 16.0 : s->fault);
+    s->fault = ((M2_released_sound < 0.5 && s->fault < 0.5) ? 17.0 : s->fault);
+    s->fault = ((M3_released_sound < 0.5 && s->fault < 0.5) ? 18.0 : s->fault);
+    s->fault = ((M4_released_sound < 0.5 && s->fault < 0.5) ? 19.0 : s->fault);
+    s->fault = ((M5_released_sound < 0.5 && s->fault < 0.5) ? 20.0 : s->fault);
+    /* ramp to zero torque */
+    s->authority = ((s->fault > 0.5) ? all_wheel_drive_max(0.0, s->authority - p->sample_time / p->fault_ramp) :
+        s->authority);
+    s->M1_last = ((s->fault > 0.5) ? s->M1_last : M1_released);
+    out->M1_torque_ref = s->M1_last * s->authority;
+    s->M2_last = ((s->fault > 0.5) ? s->M2_last : M2_released);
+    out->M2_torque_ref = s->M2_last * s->authority;
+    s->M3_last = ((s->fault > 0.5) ? s->M3_last : M3_released);
+    out->M3_torque_ref = s->M3_last * s->authority;
+    s->M4_last = ((s->fault > 0.5) ? s->M4_last : M4_released);
+    out->M4_torque_ref = s->M4_last * s->authority;
+    s->M5_last = ((s->fault > 0.5) ? s->M5_last : M5_released);
+    out->M5_torque_ref = s->M5_last * s->authority;
+    /* start anew after a fault */
+    s->running = ((s->fault < 0.5) ? 1.0 : 0.0);
+    /* The last line of defence, should parameters have been changed without an update. */
+    if (!all_wheel_drive_is_finite(out->M1_torque_ref)) {
+        out->M1_torque_ref = 0.0;
+        s->fault = s->fault > 0.0 ? s->fault : ALL_WHEEL_DRIVE_REAL(all_wheel_drive_controller_fault_M1_torque_ref);
+    }
+    if (!all_wheel_drive_is_finite(out->M2_torque_ref)) {
+        out->M2_torque_ref = 0.0;
+        s->fault = s->fault > 0.0 ? s->fault : ALL_WHEEL_DRIVE_REAL(all_wheel_drive_controller_fault_M2_torque_ref);
+    }
+    if (!all_wheel_drive_is_finite(out->M3_torque_ref)) {
+        out->M3_torque_ref = 0.0;
+        s->fault = s->fault > 0.0 ? s->fault : ALL_WHEEL_DRIVE_REAL(all_wheel_drive_controller_fault_M3_torque_ref);
+    }
+    if (!all_wheel_drive_is_finite(out->M4_torque_ref)) {
+        out->M4_torque_ref = 0.0;
+        s->fault = s->fault > 0.0 ? s->fault : ALL_WHEEL_DRIVE_REAL(all_wheel_drive_controller_fault_M4_torque_ref);
+    }
+    if (!all_wheel_drive_is_finite(out->M5_torque_ref)) {
+        out->M5_torque_ref = 0.0;
+        s->fault = s->fault > 0.0 ? s->fault : ALL_WHEEL_DRIVE_REAL(all_wheel_drive_controller_fault_M5_torque_ref);
+    }
+    return (all_wheel_drive_controller_status)s->fault;
+}

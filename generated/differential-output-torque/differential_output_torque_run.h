@@ -1,0 +1,58 @@
+/*
+ * differential_output_torque_run.h: controller and plant in closed loop
+ *
+ * Emitted by ptgen 0.1.0 from differential-output-torque.toml (SHA-256 110eb6b1ebccd836), template run.h.jinja.
+ * Do not edit: change the test bed file and emit again. This code belongs to whoever emitted it.
+ */
+#ifndef DIFFERENTIAL_OUTPUT_TORQUE_RUN_H
+#define DIFFERENTIAL_OUTPUT_TORQUE_RUN_H
+
+#include "differential_output_torque_controller.h"
+#include "differential_output_torque_plant.h"
+
+enum { differential_output_torque_profile_count = 3 };
+enum { differential_output_torque_signal_count = 22 };
+
+/* Names of the references, and of the recorded signals, in their order. */
+extern const char *const differential_output_torque_profile_names[differential_output_torque_profile_count];
+extern const char *const differential_output_torque_signal_names[differential_output_torque_signal_count];
+
+/* A reference over time: straight lines between points, or steps; constant before and after. SI units. */
+typedef struct {
+    long count;
+    int steps;
+    const double *time;
+    const double *value;
+} differential_output_torque_profile;
+
+/* Everything that a closed loop consists of. */
+typedef struct {
+    differential_output_torque_controller_params controller_params;
+    differential_output_torque_plant_params plant_params;
+    differential_output_torque_controller_state controller;
+    differential_output_torque_plant_state plant;
+    differential_output_torque_controller_inputs inputs;
+    differential_output_torque_controller_outputs commands;
+    differential_output_torque_plant_inputs driven;
+    differential_output_torque_plant_outputs measured;
+    long cursor[differential_output_torque_profile_count];
+    long step;
+    int status; /* first status of controller or plant that was not ok; plant statuses are negative */
+} differential_output_torque_run;
+
+/* Called every `report_every` steps; a value other than 0 stops the run. */
+typedef int (*differential_output_torque_report)(long step, void *user);
+
+size_t differential_output_torque_run_size(void);
+
+/* Initialises controller and plant from the parameters in `run`; returns its status. */
+int differential_output_torque_run_init(differential_output_torque_run *run);
+
+/*
+ * Runs `steps` steps. Every `record_every` steps one row of differential_output_torque_signal_count numbers goes to `recording`, which
+ * has room for `rows`. Returns the number of steps done.
+ */
+long differential_output_torque_run_steps(differential_output_torque_run *run, const differential_output_torque_profile *profiles, long steps, long record_every, double *recording,
+    long rows, long report_every, differential_output_torque_report report, void *user);
+
+#endif

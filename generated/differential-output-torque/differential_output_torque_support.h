@@ -1,0 +1,145 @@
+/*
+ * differential_output_torque_support.h: arithmetic and small dense algebra
+ *
+ * Emitted by ptgen 0.1.0 from differential-output-torque.toml (SHA-256 110eb6b1ebccd836), template support.h.jinja.
+ * Do not edit: change the test bed file and emit again. This code belongs to whoever emitted it.
+ */
+#ifndef DIFFERENTIAL_OUTPUT_TORQUE_SUPPORT_H
+#define DIFFERENTIAL_OUTPUT_TORQUE_SUPPORT_H
+
+#include <stddef.h>
+
+typedef double differential_output_torque_real;
+
+#define DIFFERENTIAL_OUTPUT_TORQUE_REAL(x) ((differential_output_torque_real)(x))
+
+/* Order up to which differential_output_torque_discretise works: states, inputs and friction elements together. */
+#define DIFFERENTIAL_OUTPUT_TORQUE_MAX_ORDER 22
+
+static inline differential_output_torque_real differential_output_torque_min(differential_output_torque_real a, differential_output_torque_real b) { return a < b ? a : b; }
+static inline differential_output_torque_real differential_output_torque_max(differential_output_torque_real a, differential_output_torque_real b) { return a > b ? a : b; }
+static inline differential_output_torque_real differential_output_torque_abs(differential_output_torque_real a) { return a < 0.0 ? -a : a; }
+static inline differential_output_torque_real differential_output_torque_sign(differential_output_torque_real a)
+{
+    return a > 0.0 ? 1.0 : (a < 0.0 ? -1.0 : 0.0);
+}
+/* False for NaN and infinity; needs no library function. */
+static inline int differential_output_torque_is_finite(differential_output_torque_real a) { return a - a == 0.0; }
+static inline differential_output_torque_real differential_output_torque_clamp(differential_output_torque_real value, differential_output_torque_real bound)
+{
+    return differential_output_torque_max(-bound, differential_output_torque_min(bound, value));
+}
+
+differential_output_torque_real differential_output_torque_floor(differential_output_torque_real a);
+differential_output_torque_real differential_output_torque_exp(differential_output_torque_real a);
+differential_output_torque_real differential_output_torque_sin(differential_output_torque_real a);
+differential_output_torque_real differential_output_torque_sqrt(differential_output_torque_real a);
+
+/* Number of rows that n rows take in memory. */
+static inline int differential_output_torque_padded(int n) { return (n + 3) / 4 * 4; }
+
+/* Sets an array of `bytes` bytes to zero. */
+void differential_output_torque_zero(size_t bytes, void *array);
+
+/*
+ * Matrices are stored by columns; the number of rows in memory is rounded up to a multiple of four.
+ * Functions that return an int return 1 on success and 0 on failure.
+ */
+
+/* Solves M X = R for symmetric positive definite M (n, n); M is overwritten by its Cholesky factor. */
+int differential_output_torque_cholesky_solve(int n, int columns, differential_output_torque_real *M, const differential_output_torque_real *R, differential_output_torque_real *X);
+
+/* Whether the symmetric matrix K (n, n) is positive definite, or, if asked for, at least semidefinite. */
+int differential_output_torque_require_definite(int n, int semidefinite, const differential_output_torque_real *K);
+
+/* Share of a sum of a few numbers that may be rounding. */
+void differential_output_torque_rounding_unit(differential_output_torque_real *share);
+
+/* Copies `count` columns of `source` (rows, .), from column `first` on, to (row, column) of `target`. */
+void differential_output_torque_insert(int rows, int target_stride, int source_stride, int row, int column, int first, int count,
+    differential_output_torque_real *target, const differential_output_torque_real *source);
+
+/* C = A - B, all (rows, columns). */
+void differential_output_torque_difference(int rows, int columns, const differential_output_torque_real *A, const differential_output_torque_real *B, differential_output_torque_real *C);
+
+/*
+ * First n rows of exp(A t), A (n, total) over zero rows, balanced by `scale` (total): Taylor series of degree
+ * 18 with `squarings` squarings. Fails if the argument is too large for them.
+ */
+int differential_output_torque_discretise(int n, int total, int squarings, const differential_output_torque_real *A, const differential_output_torque_real *scale,
+    differential_output_torque_real t, differential_output_torque_real *E);
+
+/*
+ * y = A x for A (n, m); runs over four rows and two columns at a time, the padding included: eight independent sums
+ * keep the processor busy where one would wait for each addition.
+ */
+static inline void differential_output_torque_multiply(int n, int m, const differential_output_torque_real *restrict A, const differential_output_torque_real *restrict x,
+    differential_output_torque_real *restrict y)
+{
+    const int rows = differential_output_torque_padded(n);
+    for (int i = 0; i < rows; i += 4) {
+        const differential_output_torque_real *a = A + i;
+        differential_output_torque_real s0 = 0.0, s1 = 0.0, s2 = 0.0, s3 = 0.0;
+        differential_output_torque_real t0 = 0.0, t1 = 0.0, t2 = 0.0, t3 = 0.0;
+        for (int j = 0; j + 1 < m; j += 2) {
+            s0 += a[0] * x[j];
+            s1 += a[1] * x[j];
+            s2 += a[2] * x[j];
+            s3 += a[3] * x[j];
+            a += rows;
+            t0 += a[0] * x[j + 1];
+            t1 += a[1] * x[j + 1];
+            t2 += a[2] * x[j + 1];
+            t3 += a[3] * x[j + 1];
+            a += rows;
+        }
+        if (m % 2) {
+            s0 += a[0] * x[m - 1];
+            s1 += a[1] * x[m - 1];
+            s2 += a[2] * x[m - 1];
+            s3 += a[3] * x[m - 1];
+        }
+        y[i] = s0 + t0;
+        y[i + 1] = s1 + t1;
+        y[i + 2] = s2 + t2;
+        y[i + 3] = s3 + t3;
+    }
+}
+
+/* y = x + A T for A (n, m). */
+static inline void differential_output_torque_add_product(int n, int m, differential_output_torque_real *restrict y, const differential_output_torque_real *restrict x,
+    const differential_output_torque_real *restrict A, const differential_output_torque_real *restrict T)
+{
+    const int rows = differential_output_torque_padded(n);
+    for (int i = 0; i < n; ++i) {
+        differential_output_torque_real sum = x[i];
+        for (int j = 0; j < m; ++j) {
+            sum += A[j * rows + i] * T[j];
+        }
+        y[i] = sum;
+    }
+}
+
+/* Pushes `value` into a delay line; `late` is the value of `steps` steps ago, `early` the one of a step before. */
+static inline void differential_output_torque_delay(int capacity, differential_output_torque_real *line, differential_output_torque_real value, differential_output_torque_real steps,
+    differential_output_torque_real *late, differential_output_torque_real *early)
+{
+    const int depth = (int)steps;
+    *late = depth == 0 ? value : line[depth - 1];
+    *early = line[depth];
+    for (int k = capacity - 1; k > 0; --k) {
+        line[k] = line[k - 1];
+    }
+    line[0] = value;
+}
+
+/* Takes `value` if it is finite and at most `bound` in size, else leaves what was held; `sound` is 1 or 0. */
+static inline void differential_output_torque_guard(differential_output_torque_real value, differential_output_torque_real bound, differential_output_torque_real before, differential_output_torque_real *held,
+    differential_output_torque_real *sound)
+{
+    const int good = differential_output_torque_abs(value) <= bound; /* false for NaN */
+    *held = good ? value : before;
+    *sound = good ? 1.0 : 0.0;
+}
+
+#endif
