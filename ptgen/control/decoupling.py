@@ -21,6 +21,7 @@ from ptgen.control.individual_law import individual_law
 from ptgen.control.known_losses import loss_element, with_known_losses
 from ptgen.control.lie import AffineSystem, OutputChain, affine_system, derivatives
 from ptgen.control.measured_law import Law, complete_law, decoupling_rows
+from ptgen.control.normal_form import NormalForm, normal_form
 from ptgen.control.sensor_rows import SensorRows
 from ptgen.control.state_law import StateLaw, Wishes, decoupling_state_law
 from ptgen.elements import SensorKind
@@ -60,6 +61,8 @@ class Decoupling:
     chains : tuple of OutputChain (m)
     matrix : Matrix (m, m)
         The decoupling matrix (5.29).
+    normal_form : NormalForm or None
+        Byrnes-Isidori form (5.37)-(5.41); None for individual feedback.
     internal_eigenvalues : ndarray
         Eigenvalues of the internal dynamics (5.41); empty for maximum relative degree.
     law : Law
@@ -84,6 +87,7 @@ class Decoupling:
     system: AffineSystem
     chains: tuple[OutputChain, ...]
     matrix: sp.Matrix
+    normal_form: NormalForm | None
     internal_eigenvalues: NDArray[np.complex128]
     law: Law
     state_law: StateLaw
@@ -184,12 +188,14 @@ def _decouple(reduced: ReducedModel, roles: Roles, structure: Structure, losses:
     table = {**values, **dict.fromkeys(wishes.damping, 1.0)}
     rows = SensorRows(reduced.original, model, set(actuators[:torque_count]), known)
     eigenvalues = np.zeros(0, dtype=np.complex128)
+    form = None
     if structure == "decoupling":
         if singular is not None:
             raise singular
         state_law = decoupling_state_law(system, chains, matrix, wishes, rates)
         eigenvalues = _internal_eigenvalues(system, model, chains, state_law, table, reduced.equivalent_damping)
         findings.check_internal(eigenvalues, _swinging(reduced), model, torque_count)
+        form = normal_form(system, chains, state_law.x, model.states)
         R = decoupling_rows(rows, state_law, _swinging(reduced))
     else:
         findings.check_uncontrolled_twists(model, torque_count)
@@ -207,6 +213,7 @@ def _decouple(reduced: ReducedModel, roles: Roles, structure: Structure, losses:
         system=system,
         chains=chains,
         matrix=matrix,
+        normal_form=form,
         internal_eigenvalues=eigenvalues,
         law=law,
         state_law=state_law,

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from ptgen.control.lie import OutputChain
 from ptgen.elements import FrictionRole
 from ptgen.errors import ControlError, Problem, nearest
+from ptgen.mechanism import exact
 from ptgen.mechanism.model import Model, evaluate_matrix
 from ptgen.testbed.testbed import Roles
 
@@ -101,13 +102,17 @@ def singular_matrix(
 
 
 def check_uncontrolled_twists(model: Model, torques: int) -> None:
-    """Raise if fewer torques are controlled than there are twists: the others would wind up."""
-    twists = len(model.twists)
+    """Raise if fewer torques are controlled than the machines can twist the bed: the other twists would wind up.
+
+    The machines are the first coordinates of `model`.
+    """
+    m = len(model.inputs)
+    twists = exact.rank(model.twist_rows) - exact.rank(model.twist_rows[:, m:])
     if torques >= twists:
         return
     what = (
-        f"{torques} torque{'s are' if torques != 1 else ' is'} controlled, but the reduced bed has {twists} "
-        f"independent twist{'s' if twists != 1 else ''} ({_listed(model.twists)}); what nobody controls winds up "
+        f"{torques} torque{'s are' if torques != 1 else ' is'} controlled, but the machines of the reduced bed twist "
+        f"it in {twists} independent way{'s' if twists != 1 else ''}; what nobody controls winds up "
         "when the speed references do not agree exactly"
     )
     raise ControlError(Problem("control", what, _fewer_torques(torques, model)))

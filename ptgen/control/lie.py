@@ -84,13 +84,11 @@ def derivatives(
     rows = [row]
     if any(entry != 0 for entry in form.u):
         return OutputChain(name, (row,), form.u, form.f, 0)
-    disturbance = form.f
     for degree in range(1, system.order + 1):
-        input_row = exact.canonical(row * system.B)
-        disturbance = exact.canonical(row * system.F)
+        input_row, before = exact.canonical(row * system.B), row
         drift = sum((row.diff(symbol) * rate for symbol, rate in (rates or {}).items()), sp.zeros(1, system.order))
         row = exact.canonical(row * system.A + drift)
         rows.append(row)
         if any(entry != 0 for entry in input_row):
-            return OutputChain(name, tuple(rows), input_row, disturbance, degree)
-    return OutputChain(name, tuple(rows), sp.zeros(1, system.B.shape[1]), disturbance, None)
+            return OutputChain(name, tuple(rows), input_row, exact.canonical(before * system.F), degree)
+    return OutputChain(name, tuple(rows), sp.zeros(1, system.B.shape[1]), sp.zeros(1, system.F.shape[1]), None)

@@ -15,6 +15,7 @@ __all__ = [
     "SingularMatrixError",
     "canonical",
     "independent_rows",
+    "left_null_space",
     "preferred_solution",
     "rank",
     "reduced_rows",
@@ -64,6 +65,8 @@ def independent_rows(matrix: sp.Matrix) -> tuple[int, ...]:
 
 def reduced_rows(matrix: sp.Matrix) -> sp.Matrix:
     """Return the reduced echelon form of `matrix`, whose rows are independent; it spans the same space.
+def left_null_space(matrix: sp.Matrix) -> sp.Matrix:
+    """Return a basis of the rows ``t`` with ``t matrix = 0``, one per row.
 
     Examples
     --------
@@ -76,6 +79,15 @@ def reduced_rows(matrix: sp.Matrix) -> sp.Matrix:
     if 0 in matrix.shape:
         return matrix
     return _domain(matrix).rref()[0].to_Matrix()
+    >>> left_null_space(sp.Matrix([[1], [a], [0]]))
+    Matrix([
+    [-a, 1, 0],
+    [ 0, 0, 1]])
+    """
+    if matrix.shape[1] == 0:
+        return sp.eye(matrix.shape[0])
+    basis = _domain(matrix.T).nullspace().to_Matrix()
+    return canonical(sp.Matrix.vstack(sp.zeros(0, matrix.shape[0]), *(_leading_one(row) for row in _rows_of(basis))))
 
 
 def solve(matrix: sp.Matrix, right: sp.Matrix) -> sp.Matrix:
@@ -130,6 +142,16 @@ def preferred_solution(matrix: sp.Matrix, right: sp.Matrix) -> sp.Matrix | None:
     for index, pivot in enumerate(pivots):
         solution[pivot, 0] = entries[index, columns]
     return solution
+
+
+def _rows_of(matrix: sp.Matrix) -> list[sp.Matrix]:
+    return [matrix[k, :] for k in range(matrix.shape[0])]
+
+
+def _leading_one(row: sp.Matrix) -> sp.Matrix:
+    """Scale a row so that its last entry that is not zero is one."""
+    last = next(entry for entry in reversed(list(row)) if entry != 0)
+    return row / last
 
 
 def row_vector(row: Mapping[str, sp.Expr], names: Sequence[str]) -> sp.Matrix:

@@ -173,8 +173,27 @@ def _laws(decoupling: Decoupling) -> dict[str, Equation]:
             else:
                 note = "decoupling by a measured signal"
             terms.append(Term(sp.factor(coefficient), Kind.SIGNAL, sensor, note))
+        terms += _added(decoupling, index)
         laws[name] = Equation((Term(sp.Integer(1), Kind.AIR_GAP, name),), tuple(terms))
     return laws
+
+
+def _added(decoupling: Decoupling, index: int) -> list[Term]:
+    """Return what known losses and changing ratios add to the law of a machine."""
+    law = decoupling.law
+    terms = [
+        Term(sp.factor(coefficient), Kind.SIGNAL, f"{loss.component}_loss", "loss torque from its map")
+        for coefficient, loss in zip(law.R_losses[index, :], law.known_losses, strict=True)
+        if coefficient != 0
+    ]
+    for ratio, share in law.ratio_rates.items():
+        rate = sp.Symbol(f"{ratio}_rate")
+        terms += [
+            Term(sp.factor(coefficient) * rate, Kind.SIGNAL, sensor, f"acceleration torque while {ratio} changes")
+            for coefficient, sensor in zip(share[index, :], decoupling.sensors, strict=True)
+            if coefficient != 0
+        ]
+    return terms
 
 
 def _estimates(decoupling: Decoupling) -> tuple[Equation, ...]:
@@ -189,6 +208,13 @@ def _estimates(decoupling: Decoupling) -> tuple[Equation, ...]:
         terms += [
             Term(coefficient, Kind.SIGNAL, f"v_{name}", "torque that accelerates the parts in between")
             for coefficient, name in _virtual(decoupling, decoupling.law.estimate_virtual[index, :])
+        ]
+        terms += [
+            Term(sp.factor(coefficient), Kind.SIGNAL, f"{loss.component}_loss", "loss torque from its map")
+            for coefficient, loss in zip(
+                decoupling.law.estimate_losses[index, :], decoupling.law.known_losses, strict=True
+            )
+            if coefficient != 0
         ]
         left = Term(sp.Integer(1), Kind.SIGNAL, signal_name(decoupling.outputs[index]))
         result.append(Equation((left,), tuple(terms)))

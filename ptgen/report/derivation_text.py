@@ -136,11 +136,20 @@ def _degrees(found: Derivation) -> Iterator[RenderableType]:
         kind = "torque" if index < decoupling.torque_count else "speed"
         yield Text(f"  {output}: {degree} ({kind}, controlled by {machine})")
     total = sum(decoupling.relative_degrees)
+    form = decoupling.normal_form
+    if form is None:
+        yield Text("no vector relative degree is needed: every machine works for its own quantity")
+        return
     yield Text(
         f"total {total} of order {decoupling.system.order}: internal dynamics of order {decoupling.internal_order}"
     )
     if decoupling.internal_order:
+        yield Text(f"  {', '.join(form.internal_names)}, which the outputs do not show")
+        polynomial = form.internal_polynomial
+        if polynomial is not None:
+            yield Text(f"  undamped: {text_expression(sp.factor(polynomial.as_expr()))} = 0")
         yield Text(f"  eigenvalues (1/s): {', '.join(_complex(value) for value in found.internal_eigenvalues)}")
+    yield Text(f"normal form: {', '.join(form.names)}")
 
 
 def _complex(value: complex) -> str:
@@ -161,6 +170,10 @@ def _matrix(found: Derivation) -> Iterator[RenderableType]:
             entry = decoupling.matrix[index, column]
             if entry != 0:
                 yield Text(f"  [{output}, {machine}] = {text_expression(sp.factor(entry))}")
+    for finding in decoupling.findings:
+        yield Text(f"{finding}; so every machine works for its own quantity, with active damping")
+    if decoupling.findings:
+        return
     numbers = np.array(decoupling.matrix.subs(values).tolist(), dtype=float)
     scaled = numbers / np.abs(numbers).max(axis=1, keepdims=True)
     yield Text(f"regular: condition number {np.linalg.cond(scaled):.3g} with rows scaled to one")

@@ -8,6 +8,7 @@ from typing import Any
 import sympy as sp
 
 from ptgen.analysis.closed_loop import Pole
+from ptgen.control.decoupling import Decoupling
 from ptgen.mechanism.modes import Mode
 from ptgen.project import Project
 from ptgen.report.derivation import Derivation
@@ -56,7 +57,6 @@ def modes_json(modes: Iterable[Mode], locked: Iterable[str], free: Iterable[str]
 def derivation_json(found: Derivation) -> dict[str, Any]:
     """Return a derivation; formulas are texts that sympy reads, numbers are in SI units."""
     decoupling = found.decoupling
-    matrix = decoupling.matrix
     return {
         "name": found.name,
         "title": found.title,
@@ -81,13 +81,14 @@ def derivation_json(found: Derivation) -> dict[str, Any]:
             "modes_after": _short(found.modes_after),
         },
         "outputs": list(decoupling.outputs),
+        "structure": decoupling.structure,
+        "findings": list(decoupling.findings),
         "relative_degree": list(decoupling.relative_degrees),
         "total_relative_degree": sum(decoupling.relative_degrees),
         "internal_dynamics_order": decoupling.internal_order,
         "internal_eigenvalues": [{"re": value.real, "im": value.imag} for value in found.internal_eigenvalues],
-        "decoupling_matrix": [
-            [sp.sstr(sp.factor(matrix[row, column])) for column in range(matrix.cols)] for row in range(matrix.rows)
-        ],
+        "normal_form": _normal_form(decoupling),
+        "decoupling_matrix": _entries(decoupling.matrix),
         "law": {name: sp.sstr(expression) for name, expression in decoupling.law_expressions().items()},
         "law_terms": {name: _terms(equation) for name, equation in found.law.items()},
         "estimates": {equation.left[0].name: _terms(equation) for equation in found.estimates},
@@ -96,6 +97,24 @@ def derivation_json(found: Derivation) -> dict[str, Any]:
         "closed_loop": {name: _poles(poles) for name, poles in found.closed_loop.items()},
         "values": {symbol.name: value for symbol, value in found.values.items()},
     }
+
+
+def _normal_form(decoupling: Decoupling) -> dict[str, Any] | None:
+    form = decoupling.normal_form
+    if form is None:
+        return None
+    polynomial = form.internal_polynomial
+    return {
+        "states": list(form.names),
+        "transform": _entries(form.transform),
+        "closed": _entries(form.closed),
+        "internal": _entries(form.internal),
+        "internal_polynomial": None if polynomial is None else sp.sstr(polynomial.as_expr()),
+    }
+
+
+def _entries(matrix: sp.Matrix) -> list[list[str]]:
+    return [[sp.sstr(sp.factor(matrix[row, column])) for column in range(matrix.cols)] for row in range(matrix.rows)]
 
 
 def _friction(slip: Slip) -> dict[str, Any]:
