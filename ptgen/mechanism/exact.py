@@ -65,8 +65,6 @@ def independent_rows(matrix: sp.Matrix) -> tuple[int, ...]:
 
 def reduced_rows(matrix: sp.Matrix) -> sp.Matrix:
     """Return the reduced echelon form of `matrix`, whose rows are independent; it spans the same space.
-def left_null_space(matrix: sp.Matrix) -> sp.Matrix:
-    """Return a basis of the rows ``t`` with ``t matrix = 0``, one per row.
 
     Examples
     --------
@@ -79,6 +77,14 @@ def left_null_space(matrix: sp.Matrix) -> sp.Matrix:
     if 0 in matrix.shape:
         return matrix
     return _domain(matrix).rref()[0].to_Matrix()
+
+
+def left_null_space(matrix: sp.Matrix) -> sp.Matrix:
+    """Return a basis of the rows ``t`` with ``t matrix = 0``, one per row.
+
+    Examples
+    --------
+    >>> a = sp.Symbol("a")
     >>> left_null_space(sp.Matrix([[1], [a], [0]]))
     Matrix([
     [-a, 1, 0],
