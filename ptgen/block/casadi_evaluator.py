@@ -223,6 +223,13 @@ def _guard(value: Any, bound: Any, held: Any) -> tuple[Any, Any]:
     return ca.if_else(sound, value, held), ca.if_else(sound, 1.0, 0.0)
 
 
+def _lookup(value: Any, grid: Any, slope: Any, first: Any) -> Any:
+    result = first
+    for k in range(grid.shape[0] - 1):
+        result += slope[k] * ca.fmin(ca.fmax(value - grid[k], 0.0), grid[k + 1] - grid[k])
+    return result
+
+
 CASADI_KERNELS: dict[str, Any] = {
     "difference": lambda A, B: A - B,
     "rounding_unit": lambda: ca.MX(float(rounding_unit())),
@@ -234,6 +241,7 @@ CASADI_KERNELS: dict[str, Any] = {
     "add_product": _add_product,
     "delay": _delay,
     "guard": _guard,
+    "lookup": _lookup,
     "friction_step": friction_step,
     "backlash_step": backlash_step,
 }

@@ -26,6 +26,7 @@ __all__ = [
     "discretise",
     "guard",
     "insert",
+    "lookup",
     "multiply",
     "require_definite",
     "rounding_unit",
@@ -123,6 +124,17 @@ def guard(value: Array, bound: Array, held: Array) -> tuple[Array, Array]:
     return np.where(sound, value, held), np.where(sound, 1.0, 0.0)
 
 
+def lookup(value: Array, grid: Array, slope: Array, first: Array) -> Array:
+    """Return a function that is linear between the points of `grid` (n,), increasing, and constant beyond them.
+
+    ``slope[k]`` holds from ``grid[k]`` to the next point, the last one is not used; `first` is the value at and below
+    the first point. The sum runs over all intervals, so that it always takes the same time.
+    """
+    value = np.asarray(value, dtype=float)
+    inside = np.minimum(np.maximum(value[..., None] - grid[..., :-1], 0.0), grid[..., 1:] - grid[..., :-1])
+    return np.asarray(first + (slope[..., :-1] * inside).sum(axis=-1), dtype=np.float64)
+
+
 def rounding_unit() -> Array:
     """Return the share of a sum of a few numbers that may be rounding: 64 units of the precision."""
     return np.array(ROUNDING * np.finfo(np.float64).eps)
@@ -144,6 +156,7 @@ KERNELS: dict[str, Callable[..., Any]] = {
     "add_product": add_product,
     "delay": delay,
     "guard": guard,
+    "lookup": lookup,
     "friction_step": friction_step,
     "backlash_step": backlash_step,
 }

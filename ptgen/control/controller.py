@@ -4,15 +4,18 @@ Every step runs in this order:
 
 1. *Supervision.* An input that is not finite, or larger than plausible, is replaced by its last sound value; the
    fault is latched with the number of the signal, and the last torques are taken to zero along a ramp.
-2. *Speed control.* PI (5.84); anti-windup by conditioning (Hanus): the integrator gets the control error that
-   would have given the limited output.
-3. *Load torque compensation* (5.52), (5.74): the machine's own flange torque, times `load_compensation`.
-4. *Torque control.* Feedforward and integrator (5.99) on the testing torque from the sensors (5.95), (5.98). The
+2. *Switches and dampings* follow their parameters along a ramp, references pass rate limiters, ratios that change too.
+3. *Speed control.* PI (5.84) with anti-windup by conditioning (Hanus), or P with disturbance observer (5.92).
+4. *Load torque compensation* (5.52), (5.74): the machine's own flange torque, times `load_compensation`.
+5. *Torque control.* Feedforward and feedback (5.99) on the testing torque from the sensors (5.95), (5.96), (5.98). The
    integrator compares it with what the feedforward should give by now, the reference behind (5.57); it is limited,
    and stands while the machine is at its limit.
-5. *Decoupling* (5.62), (5.78): torque for the acceleration, times `acceleration_torque`, and active damping. The
-   other parts leave a reserve for the damping.
-6. *Limits.* The torque-speed envelope, Figure 7.1.
+6. *Decoupling* (5.62), (5.78): torque for the acceleration of the rotors that control a speed, times
+   `acceleration_torque`, and active damping. The other parts leave a reserve for the damping.
+7. *Limits.* The torque-speed envelope, Figure 7.1.
+
+A step that follows a fault, and the first one, starts anew: references where the bed is, integrators empty. The state
+`running` tells it; linearise the block with `running` at one, that is after a step.
 
 The conventional controller (Figure 5.10) is the same block with all three switched off.
 """
@@ -26,6 +29,8 @@ import sympy as sp
 from ptgen.block.block import Block
 from ptgen.control.decoupling import Decoupling
 from ptgen.control.envelope import envelope
+from ptgen.control.loss_map import loss_torques
+from ptgen.control.ratios import changing_ratios, ratio_bounds, ratio_inputs
 from ptgen.control.references import pair_bounds, reference_inputs, speed_references
 from ptgen.control.speed_control import speed_control
 from ptgen.control.supervision import release, supervise
@@ -77,8 +82,8 @@ def controller_block(
     h = w.parameter("sample_time", "s", "step of the controller", sample_time, allowed=False)
     w.parameter("fault_ramp", "s", "time from a fault to zero torque", tuning.fault_ramp, allowed=False)
     references = reference_inputs(decoupling, tuning)
-    w.plausible |= pair_bounds(w)
-    measured = supervise(w, [*references.values(), *_used_sensors(w)])
+    w.plausible |= pair_bounds(w) | ratio_bounds(decoupling)
+    measured = supervise(w, [*references.values(), *ratio_inputs(decoupling), *_used_sensors(w)])
     w.parameter("load_compensation", "", "switch of the load torque compensation, 0 to 1", 1.0, most=1.0)
     w.parameter("acceleration_torque", "", "switch of the acceleration torque, 0 to 1", 1.0, most=1.0)
     load = follow(w, "load_compensation")
@@ -89,12 +94,18 @@ def controller_block(
         w.parameter(symbol.name, "N m s/rad", f"active damping by {name} (5.81)", gains.damping[name])
         dampings[symbol] = follow(w, symbol.name, "N m s/rad").now
     envelopes = {machine: envelope(w, machine, measured) for machine in range(len(decoupling.machines))}
+    ratio_rates = changing_ratios(w, measured)
+    losses = loss_torques(w, measured)
     wanted_speeds = speed_references(w, measured)
     net: dict[int, sp.Symbol] = {}
     commands: dict[int, sp.Symbol] = {}
     for position, machine in enumerate(speed_machines, start=decoupling.torque_count):
         name = decoupling.machines[machine]
-        compensation = w.sensor_sum(f"{name}_load", law.R[machine, :], measured)
+        compensation = (
+            w.sensor_sum(f"{name}_load", law.R[machine, :], measured)
+            + w.loss_sum(f"{name}_load", law.R_losses[machine, :], losses)
+            + w.rate_sum(f"{name}_load", machine, ratio_rates, measured)
+        )
         result = speed_control(
             w, machine, position, load, compensation, envelopes[machine], wanted_speeds[name], measured
         )
@@ -104,6 +115,7 @@ def controller_block(
         name = decoupling.machines[machine]
         estimate = (
             w.sensor_sum(f"{name}_read", law.estimate_sensors[index, :], measured)
+            + w.loss_sum(f"{name}_read", law.estimate_losses[index, :], losses)
             + w.virtual_sum(f"{name}_read", law.estimate_virtual[index, :], net)
             + unread_torque(w, machine, net)
         )
@@ -111,7 +123,14 @@ def controller_block(
     asked = {index: part.virtual for index, part in feedback.items()}
     for index, machine in enumerate(torque_machines):
         name, row = decoupling.machines[machine], law.P[machine, :]
-        wanted = w.virtual_sum(f"{name}_share", row, asked) + accelerate * w.virtual_sum(f"{name}_with", row, net)
+        accelerating = w.virtual_sum(f"{name}_with", row, net) + w.rate_sum(
+            f"{name}_with", machine, ratio_rates, measured
+        )
+        wanted = (
+            w.virtual_sum(f"{name}_share", row, asked)
+            + w.loss_sum(f"{name}_with", law.R_losses[machine, :], losses)
+            + accelerate * accelerating
+        )
         damping = active_damping(w, machine, dampings, measured)
         commands[machine] = torque_command(w, index, machine, feedback[index], wanted, damping, envelopes[machine])
     outputs = release(w, commands, h)
@@ -141,6 +160,8 @@ def _used_sensors(w: ControllerWriter) -> list[str]:
         if name in speeds
         or any(entry != 0 for entry in law.R[:, k])
         or any(entry != 0 for entry in law.estimate_sensors[:, k])
+        or any(loss.speed[k] != 0 for loss in law.known_losses)
+        or any(entry != 0 for rows in law.ratio_rates.values() for entry in rows[:, k])
     ]
 
 

@@ -31,7 +31,8 @@ def design_control(testbed: Testbed, full: Model, reduced: ReducedModel) -> Cont
     ControlError
         See `decouple`.
     """
-    decoupling = decouple(reduced, testbed.roles, testbed.tuning.structure)
+    flanges = [f"{name}.{testbed.components[name].flange_names()[0]}" for name in testbed.tuning.losses]
+    decoupling = decouple(reduced, testbed.roles, testbed.tuning.structure, flanges)
     tuned = gains(decoupling, full, testbed.tuning, reduced.modes_before)
     block = controller_block(decoupling, tuned, testbed.tuning, full, testbed.sample_time)
     return ControlDesign(decoupling, tuned, block)

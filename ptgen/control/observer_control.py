@@ -35,7 +35,7 @@ def observer_control(w: ControllerWriter, name: str, error: sp.Expr, speed: sp.E
     )
     h = signal_symbol("sample_time")
     inertia = w.rotor(name)
-    forgotten = w.derive(
+    learnt = w.derive(
         f"{name}_observer_share", "", "share that the observer learns in a step", 1 - 1 / (1 + h * bandwidth)
     )
     momentum = w.derive(
@@ -54,8 +54,8 @@ def observer_control(w: ControllerWriter, name: str, error: sp.Expr, speed: sp.E
     disturbance = w.assign(f"{name}_disturbance", w.previous(state, sp.Integer(0)) + kept - momentum * change, source)
     asked = w.assign(f"{name}_asked", gain * error + disturbance, source)
 
-    def finish(realised: sp.Symbol) -> None:
-        learned = disturbance + forgotten * (realised - disturbance)
+    def finish(cut: sp.Symbol) -> None:
+        learned = disturbance + learnt * (asked + cut - disturbance)
         w.assign(state.name, learned, "disturbance observer (5.90)")
         w.assign(last.name, speed)
 

@@ -34,8 +34,8 @@ def pi_control(w: ControllerWriter, name: str, error: sp.Expr, speed: sp.Expr, t
     before = w.assign(f"{name}_integral_before", w.previous(integral, sp.Integer(0)) + kept, "PI speed control (5.84)")
     asked = w.assign(f"{name}_asked", gain * error + before)
 
-    def finish(realised: sp.Symbol) -> None:
-        grown = before + per_error * error + per_torque * (realised - asked)
+    def finish(cut: sp.Symbol) -> None:
+        grown = before + per_error * error + per_torque * cut
         w.assign(integral.name, grown, "conditioning anti-windup (Hanus)")
 
     return SpeedLaw(asked, finish)

@@ -75,7 +75,7 @@ def limited(w: ControllerWriter, name: str, unit: str, target: sp.Expr, start: s
     )
     step = w.derive(f"{name}_step", unit, f"largest change of {name} in a step", signal_symbol("sample_time") * most)
     state = w.state(f"{name}_limited", unit, f"{name} behind its rate limiter")
-    before = w.assign(f"{name}_before", w.previous(state, start), "rate of the reference")
+    before = w.assign(f"{name}_before", w.previous(state, start), "limit of the rate")
     return w.assign(state.name, before + sp.Max(-step, sp.Min(step, target - before)))
 
 

@@ -78,12 +78,9 @@ def speed_control(
         f"{name}_given_away", (switch.before - switch.now) * full * inverse, "so that a switch does not jump"
     )
     controller = SPEED_CONTROLS[w.tuning.speed_control_of(name)](w, name, error, speed, given)
-    compensate = switch.now * full
-    command = w.assign(
-        f"{name}_command", envelope.clamp(share * controller.asked + compensate), "torque-speed envelope"
-    )
-    realised = w.assign(f"{name}_virtual", (command - compensate) * inverse, "what the limit leaves of it")
-    controller.finish(realised)
+    wanted = w.assign(f"{name}_wanted", share * controller.asked + switch.now * full)
+    command = w.assign(f"{name}_command", envelope.clamp(wanted), "torque-speed envelope")
+    controller.finish(w.assign(f"{name}_cut", (command - wanted) * inverse, "what the limit cuts off"))
     net = (command - full) * inverse  # with the whole compensation the law is the balance of the rotor
     if w.design.torque_count:
         net = w.assign(f"{name}_net", net, "net torque on the rotor")

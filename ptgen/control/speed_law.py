@@ -23,7 +23,8 @@ class SpeedLaw:
     asked : Symbol
         Virtual input that it asks for (N m).
     finish : callable
-        Writes the rest of the step; its argument is the virtual input that the limits left (N m).
+        Writes the rest of the step; its argument is what the limits add to the virtual input (N m): zero inside them,
+        so what they left is ``asked`` plus that.
     """
 
     asked: sp.Symbol

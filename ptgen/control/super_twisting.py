@@ -40,9 +40,9 @@ def super_twisting(w: ControllerWriter, name: str, error: sp.Expr, speed: sp.Exp
     size = w.assign(f"{name}_error_size", sp.Abs(error) + layer, source)
     asked = w.assign(f"{name}_asked", k1 * error / sp.sqrt(size) + before, source)
 
-    def finish(realised: sp.Symbol) -> None:
+    def finish(cut: sp.Symbol) -> None:
         grown = before + growth * error / size
-        beyond = (asked - realised) * error > 0
+        beyond = cut * error < 0
         w.assign(
             integral.name, sp.Piecewise((before, beyond), (grown, True)), "EXPERIMENTAL: integrator of super-twisting"
         )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import sympy as sp
 
@@ -132,6 +132,26 @@ class ControllerWriter:
             self.coefficient(f"{name}_{machines[k]}", f"coefficient of the virtual input of {machines[k]}", row[k]) * v
             for k, v in virtual.items()
             if row[k] != 0
+        ]
+        return sp.Add(*terms)
+
+    def loss_sum(self, name: str, row: sp.Matrix, losses: Sequence[sp.Symbol]) -> sp.Expr:
+        """Return a row over the known loss torques as an expression."""
+        terms = [
+            self.coefficient(f"{name}_{loss.name}", f"coefficient of {loss.name}", row[k]) * loss
+            for k, loss in enumerate(losses)
+            if row[k] != 0
+        ]
+        return sp.Add(*terms)
+
+    def rate_sum(
+        self, name: str, machine: int, rates: Mapping[str, sp.Expr], measured: Mapping[str, sp.Symbol]
+    ) -> sp.Expr:
+        """Return what the rates of changing ratios add to the torque of a machine (5.46), (5.62)."""
+        terms = [
+            rate * self.sensor_sum(f"{name}_per_{ratio}", self.design.law.ratio_rates[ratio][machine, :], measured)
+            for ratio, rate in rates.items()
+            if ratio in self.design.law.ratio_rates
         ]
         return sp.Add(*terms)
 

@@ -256,6 +256,8 @@ class CBlock:
             return [str(shapes[2][0]), str(shapes[2][1])]
         if call.kernel == "delay":
             return [str(shapes[0][0])]
+        if call.kernel == "lookup":
+            return [str(shapes[1][0])]
         if call.kernel == "require_definite":
             return [str(shapes[0][0])]
         return []

@@ -72,6 +72,8 @@ def panels(recording: Recording, project: Project) -> tuple[Panel, ...]:
         speeds += _signal(signals, f"{machine}_speed", machine, colour)
         commands += _limits(project, signals, machine, colour)
         commands += _signal(signals, f"{machine}_torque_ref", machine, colour)
+    for pair in project.testbed.tuning.speed_pairs:
+        speeds += _pair(signals, references[f"speed_mean.{pair}"], references[f"speed_difference.{pair}"])
     torques: list[Curve] = []
     for machine, place in project.testbed.roles.torque.items():
         torques += _reference(signals, references.get(f"torque.{machine}"))
@@ -104,6 +106,14 @@ def panels(recording: Recording, project: Project) -> tuple[Panel, ...]:
 
 def _signal(signals: Mapping[str, NDArray[np.float64]], key: str, name: str, colour: str) -> list[Curve]:
     return [Curve(name, signals[key], colour)] if key in signals else []
+
+
+def _pair(signals: Mapping[str, NDArray[np.float64]], mean: str, difference: str) -> list[Curve]:
+    """Return the two speeds that their mean and their difference ask for."""
+    if mean not in signals or difference not in signals:
+        return []
+    halves = (0.5 * signals[difference], -0.5 * signals[difference])
+    return [Curve("", signals[mean] + half, REFERENCE, "reference") for half in halves]
 
 
 def _reference(signals: Mapping[str, NDArray[np.float64]], key: str | None) -> list[Curve]:

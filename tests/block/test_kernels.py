@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import casadi as ca
 import numpy as np
 import pytest
 import scipy.linalg
@@ -9,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from ptgen.block.casadi_evaluator import CASADI_KERNELS
-from ptgen.block.kernels import KERNELS, delay, discretise, guard
+from ptgen.block.kernels import KERNELS, delay, discretise, guard, lookup
 from ptgen.emit.block_files import common_context
 from ptgen.emit.c_block import CBlock
 from ptgen.emit.friction_source import friction_context
@@ -74,3 +75,15 @@ def test_c_arrays_are_padded_to_four_rows(projects: dict[str, Project]) -> None:
     block = CBlock(projects["differential"].plant, "differential", "double")
     rows = next(field for field in block.derived if field.name == "transition").dimensions
     assert rows.startswith("[23]") and rows.endswith("[20]")
+
+
+@given(st.lists(st.tuples(st.floats(0.01, 50), st.floats(-20, 20)), min_size=2, max_size=7), st.floats(-300, 300))
+def test_lookup_is_linear_interpolation(points: list[tuple[float, float]], value: float) -> None:
+    """Constant beyond the ends; NumPy and CasADi."""
+    grid = np.cumsum([step for step, _ in points]) - 60.0
+    torque = np.array([height for _, height in points])
+    slope = np.append(np.diff(torque) / np.diff(grid), 0.0)
+    expected = np.interp(value, grid, torque)
+    assert lookup(np.array(value), grid, slope, np.array(torque[0])) == pytest.approx(expected, abs=1e-9)
+    result = CASADI_KERNELS["lookup"](ca.DM(value), ca.DM(grid), ca.DM(slope), ca.DM(torque[0]))
+    assert float(result) == pytest.approx(expected, abs=1e-9)

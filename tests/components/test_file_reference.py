@@ -11,7 +11,9 @@ import pytest
 from ptgen.components.catalogue import CATALOGUE
 from ptgen.components.component import Record
 from ptgen.components.friction import FrictionRipple, FrictionSaturation, LoadDependentFriction
+from ptgen.testbed.feedback import LossMap
 from ptgen.testbed.problems import validated
+from ptgen.testbed.schema import ControlSection
 from ptgen.testbed.testbed import ReductionSettings
 
 TEXT = (Path(__file__).resolve().parents[2] / "docs" / "testbed-file.md").read_text(encoding="utf-8")
@@ -40,6 +42,8 @@ def test_every_key_of_every_type_is_explained(name: str) -> None:
         ("### saturation, ripple", FrictionSaturation),
         ("### saturation, ripple", FrictionRipple),
         ("## [reduction]", ReductionSettings),
+        ("## [control]", ControlSection),
+        ("### [control.losses]", LossMap),
     ],
 )
 def test_every_key_of_the_tables_in_between_is_explained(heading: str, record: type[Record]) -> None:

@@ -11,12 +11,14 @@ import pytest
 from components.loose_component import CASES, case
 from hypothesis import given
 from hypothesis import strategies as st
+from mechanism.bed_text import differential_bed
 
 from ptgen.components.catalogue import CATALOGUE
 from ptgen.components.inertia import Inertia
 from ptgen.components.shaft import Shaft
 from ptgen.errors import PtgenError
 from ptgen.mechanism.modes import modes
+from ptgen.project import Project
 from ptgen.report.bed_drawing import bed_figure
 from ptgen.report.bed_layout import layout
 from ptgen.report.bed_symbols import _SYMBOLS
@@ -253,3 +255,16 @@ def test_destinations(tmp_path):
 )
 def test_quantities_as_people_write_them(value, unit, wanted):
     assert readable(value, unit) == wanted
+
+
+def test_a_pair_of_speeds_is_drawn_as_two_references():
+    bed = differential_bed()
+    bed.control = {"speed_pairs": {"rear": ["M2", "M3"]}}
+    project = Project(bed.load())
+    signals = {
+        name: np.full(3, value) for name, value in (("rear_speed_mean_ref", 5.0), ("rear_speed_difference_ref", 4.0))
+    }
+    recording = Recording(np.arange(3.0), signals, dict.fromkeys(signals, "rad/s"), 3, 0.1, 1e-4)
+    (panel,) = panels(recording, project)
+    assert [float(curve.values[0]) for curve in panel.curves] == [7.0, 3.0]
+    assert {curve.style for curve in panel.curves} == {"reference"}
