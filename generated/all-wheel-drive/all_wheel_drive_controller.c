@@ -500,7 +500,7 @@ all_wheel_drive_controller_status all_wheel_drive_controller_step(all_wheel_driv
         s->M5_speed_held * s->M5_taper_slope + s->M5_taper_end));
     const all_wheel_drive_real M5_most = M5_available * all_wheel_drive_max(0.0, all_wheel_drive_min(1.0,
         -s->M5_speed_held * s->M5_taper_slope + s->M5_taper_end));
-    /* rate of the reference */
+    /* limit of the rate */
     const all_wheel_drive_real M2_speed_ref_before = ((s->running > 0.5) ? s->M2_speed_ref_limited :
         s->M2_speed_held);
     s->M2_speed_ref_limited = M2_speed_ref_before + all_wheel_drive_max(-s->M2_speed_ref_step,
@@ -527,14 +527,14 @@ all_wheel_drive_controller_status all_wheel_drive_controller_step(all_wheel_driv
     const all_wheel_drive_real M2_integral_before = ((p->M2_speed_integral_gain > 0.0) ? M2_given_away : 0.0) +
         ((s->running > 0.5) ? s->M2_speed_integral : 0.0);
     const all_wheel_drive_real M2_asked = M2_integral_before + M2_speed_error * p->M2_speed_gain;
+    const all_wheel_drive_real M2_wanted = M2_asked + M2_compensation * s->load_compensation_now;
     /* torque-speed envelope */
-    const all_wheel_drive_real M2_command = all_wheel_drive_max(M2_least, all_wheel_drive_min(M2_most, M2_asked +
-        M2_compensation * s->load_compensation_now));
-    /* what the limit leaves of it */
-    const all_wheel_drive_real M2_virtual = M2_command - M2_compensation * s->load_compensation_now;
+    const all_wheel_drive_real M2_command = all_wheel_drive_max(M2_least, all_wheel_drive_min(M2_most, M2_wanted));
+    /* what the limit cuts off */
+    const all_wheel_drive_real M2_cut = M2_command - M2_wanted;
     /* conditioning anti-windup (Hanus) */
-    s->M2_speed_integral = M2_integral_before + s->M2_speed_conditioning * (-M2_asked + M2_virtual) + M2_speed_error
-        * s->M2_speed_growth;
+    s->M2_speed_integral = M2_cut * s->M2_speed_conditioning + M2_integral_before + M2_speed_error *
+        s->M2_speed_growth;
     /* net torque on the rotor */
     const all_wheel_drive_real M2_net = M2_command - M2_compensation;
     const all_wheel_drive_real M3_speed_error = -s->M3_speed_held + s->M3_speed_ref_limited;
@@ -547,14 +547,14 @@ all_wheel_drive_controller_status all_wheel_drive_controller_step(all_wheel_driv
     const all_wheel_drive_real M3_integral_before = ((p->M3_speed_integral_gain > 0.0) ? M3_given_away : 0.0) +
         ((s->running > 0.5) ? s->M3_speed_integral : 0.0);
     const all_wheel_drive_real M3_asked = M3_integral_before + M3_speed_error * p->M3_speed_gain;
+    const all_wheel_drive_real M3_wanted = M3_asked + M3_compensation * s->load_compensation_now;
     /* torque-speed envelope */
-    const all_wheel_drive_real M3_command = all_wheel_drive_max(M3_least, all_wheel_drive_min(M3_most, M3_asked +
-        M3_compensation * s->load_compensation_now));
-    /* what the limit leaves of it */
-    const all_wheel_drive_real M3_virtual = M3_command - M3_compensation * s->load_compensation_now;
+    const all_wheel_drive_real M3_command = all_wheel_drive_max(M3_least, all_wheel_drive_min(M3_most, M3_wanted));
+    /* what the limit cuts off */
+    const all_wheel_drive_real M3_cut = M3_command - M3_wanted;
     /* conditioning anti-windup (Hanus) */
-    s->M3_speed_integral = M3_integral_before + s->M3_speed_conditioning * (-M3_asked + M3_virtual) + M3_speed_error
-        * s->M3_speed_growth;
+    s->M3_speed_integral = M3_cut * s->M3_speed_conditioning + M3_integral_before + M3_speed_error *
+        s->M3_speed_growth;
     /* net torque on the rotor */
     const all_wheel_drive_real M3_net = M3_command - M3_compensation;
     const all_wheel_drive_real M4_speed_error = -s->M4_speed_held + s->M4_speed_ref_limited;
@@ -567,14 +567,14 @@ all_wheel_drive_controller_status all_wheel_drive_controller_step(all_wheel_driv
     const all_wheel_drive_real M4_integral_before = ((p->M4_speed_integral_gain > 0.0) ? M4_given_away : 0.0) +
         ((s->running > 0.5) ? s->M4_speed_integral : 0.0);
     const all_wheel_drive_real M4_asked = M4_integral_before + M4_speed_error * p->M4_speed_gain;
+    const all_wheel_drive_real M4_wanted = M4_asked + M4_compensation * s->load_compensation_now;
     /* torque-speed envelope */
-    const all_wheel_drive_real M4_command = all_wheel_drive_max(M4_least, all_wheel_drive_min(M4_most, M4_asked +
-        M4_compensation * s->load_compensation_now));
-    /* what the limit leaves of it */
-    const all_wheel_drive_real M4_virtual = M4_command - M4_compensation * s->load_compensation_now;
+    const all_wheel_drive_real M4_command = all_wheel_drive_max(M4_least, all_wheel_drive_min(M4_most, M4_wanted));
+    /* what the limit cuts off */
+    const all_wheel_drive_real M4_cut = M4_command - M4_wanted;
     /* conditioning anti-windup (Hanus) */
-    s->M4_speed_integral = M4_integral_before + s->M4_speed_conditioning * (-M4_asked + M4_virtual) + M4_speed_error
-        * s->M4_speed_growth;
+    s->M4_speed_integral = M4_cut * s->M4_speed_conditioning + M4_integral_before + M4_speed_error *
+        s->M4_speed_growth;
     /* net torque on the rotor */
     const all_wheel_drive_real M4_net = M4_command - M4_compensation;
     const all_wheel_drive_real M5_speed_error = -s->M5_speed_held + s->M5_speed_ref_limited;
@@ -587,20 +587,20 @@ all_wheel_drive_controller_status all_wheel_drive_controller_step(all_wheel_driv
     const all_wheel_drive_real M5_integral_before = ((p->M5_speed_integral_gain > 0.0) ? M5_given_away : 0.0) +
         ((s->running > 0.5) ? s->M5_speed_integral : 0.0);
     const all_wheel_drive_real M5_asked = M5_integral_before + M5_speed_error * p->M5_speed_gain;
+    const all_wheel_drive_real M5_wanted = M5_asked + M5_compensation * s->load_compensation_now;
     /* torque-speed envelope */
-    const all_wheel_drive_real M5_command = all_wheel_drive_max(M5_least, all_wheel_drive_min(M5_most, M5_asked +
-        M5_compensation * s->load_compensation_now));
-    /* what the limit leaves of it */
-    const all_wheel_drive_real M5_virtual = M5_command - M5_compensation * s->load_compensation_now;
+    const all_wheel_drive_real M5_command = all_wheel_drive_max(M5_least, all_wheel_drive_min(M5_most, M5_wanted));
+    /* what the limit cuts off */
+    const all_wheel_drive_real M5_cut = M5_command - M5_wanted;
     /* conditioning anti-windup (Hanus) */
-    s->M5_speed_integral = M5_integral_before + s->M5_speed_conditioning * (-M5_asked + M5_virtual) + M5_speed_error
-        * s->M5_speed_growth;
+    s->M5_speed_integral = M5_cut * s->M5_speed_conditioning + M5_integral_before + M5_speed_error *
+        s->M5_speed_growth;
     /* net torque on the rotor */
     const all_wheel_drive_real M5_net = M5_command - M5_compensation;
     /* testing torque from the sensors (5.95), (5.96), (5.98) */
     const all_wheel_drive_real centre_input_torque_estimate = s->M1_unread_M2 * M2_net + s->M1_unread_M3 * M3_net +
         s->M1_unread_M4 * M4_net + s->M1_unread_M5 * M5_net + s->flange1_torque_held;
-    /* rate of the reference */
+    /* limit of the rate */
     const all_wheel_drive_real centre_input_torque_ref_before = ((s->running > 0.5) ?
         s->centre_input_torque_ref_limited : centre_input_torque_estimate);
     s->centre_input_torque_ref_limited = centre_input_torque_ref_before +

@@ -142,4 +142,18 @@ static inline void all_wheel_drive_guard(all_wheel_drive_real value, all_wheel_d
     *sound = good ? 1.0 : 0.0;
 }
 
+/*
+ * Function that is linear between the n increasing points of `grid` and constant beyond them; slope[k] holds from
+ * grid[k] on, `first` is the value at grid[0]. Always takes the same time.
+ */
+static inline void all_wheel_drive_lookup(int n, all_wheel_drive_real value, const all_wheel_drive_real *grid, const all_wheel_drive_real *slope,
+    all_wheel_drive_real first, all_wheel_drive_real *result)
+{
+    all_wheel_drive_real sum = first;
+    for (int k = 0; k + 1 < n; ++k) {
+        sum += slope[k] * all_wheel_drive_min(all_wheel_drive_max(value - grid[k], 0.0), grid[k + 1] - grid[k]);
+    }
+    *result = sum;
+}
+
 #endif

@@ -278,7 +278,7 @@ back_to_back_controller_status back_to_back_controller_step(back_to_back_control
         * s->M2_taper_slope + s->M2_taper_end));
     const back_to_back_real M2_most = M2_available * back_to_back_max(0.0, back_to_back_min(1.0, -s->M2_speed_held *
         s->M2_taper_slope + s->M2_taper_end));
-    /* rate of the reference */
+    /* limit of the rate */
     const back_to_back_real M2_speed_ref_before = ((s->running > 0.5) ? s->M2_speed_ref_limited : s->M2_speed_held);
     s->M2_speed_ref_limited = M2_speed_ref_before + back_to_back_max(-s->M2_speed_ref_step,
         back_to_back_min(s->M2_speed_ref_step, -M2_speed_ref_before + s->M2_speed_ref_held));
@@ -291,19 +291,19 @@ back_to_back_controller_status back_to_back_controller_step(back_to_back_control
     const back_to_back_real M2_integral_before = ((p->M2_speed_integral_gain > 0.0) ? M2_given_away : 0.0) +
         ((s->running > 0.5) ? s->M2_speed_integral : 0.0);
     const back_to_back_real M2_asked = M2_integral_before + M2_speed_error * p->M2_speed_gain;
+    const back_to_back_real M2_wanted = M2_asked + M2_compensation * s->load_compensation_now;
     /* torque-speed envelope */
-    const back_to_back_real M2_command = back_to_back_max(M2_least, back_to_back_min(M2_most, M2_asked +
-        M2_compensation * s->load_compensation_now));
-    /* what the limit leaves of it */
-    const back_to_back_real M2_virtual = M2_command - M2_compensation * s->load_compensation_now;
+    const back_to_back_real M2_command = back_to_back_max(M2_least, back_to_back_min(M2_most, M2_wanted));
+    /* what the limit cuts off */
+    const back_to_back_real M2_cut = M2_command - M2_wanted;
     /* conditioning anti-windup (Hanus) */
-    s->M2_speed_integral = M2_integral_before + s->M2_speed_conditioning * (-M2_asked + M2_virtual) + M2_speed_error
-        * s->M2_speed_growth;
+    s->M2_speed_integral = M2_cut * s->M2_speed_conditioning + M2_integral_before + M2_speed_error *
+        s->M2_speed_growth;
     /* net torque on the rotor */
     const back_to_back_real M2_net = M2_command - M2_compensation;
     /* testing torque from the sensors (5.95), (5.96), (5.98) */
     const back_to_back_real flange1_torque_estimate = s->M1_unread_M2 * M2_net + s->flange1_torque_held;
-    /* rate of the reference */
+    /* limit of the rate */
     const back_to_back_real flange1_torque_ref_before = ((s->running > 0.5) ? s->flange1_torque_ref_limited :
         flange1_torque_estimate);
     s->flange1_torque_ref_limited = flange1_torque_ref_before + back_to_back_max(-s->flange1_torque_ref_step,

@@ -142,4 +142,18 @@ static inline void back_to_back_guard(back_to_back_real value, back_to_back_real
     *sound = good ? 1.0 : 0.0;
 }
 
+/*
+ * Function that is linear between the n increasing points of `grid` and constant beyond them; slope[k] holds from
+ * grid[k] on, `first` is the value at grid[0]. Always takes the same time.
+ */
+static inline void back_to_back_lookup(int n, back_to_back_real value, const back_to_back_real *grid, const back_to_back_real *slope,
+    back_to_back_real first, back_to_back_real *result)
+{
+    back_to_back_real sum = first;
+    for (int k = 0; k + 1 < n; ++k) {
+        sum += slope[k] * back_to_back_min(back_to_back_max(value - grid[k], 0.0), grid[k + 1] - grid[k]);
+    }
+    *result = sum;
+}
+
 #endif

@@ -58,8 +58,8 @@ const centre_differential_locked_controller_params centre_differential_locked_co
     .M3_model_stiffness = 6851.48,
     .M3_model_damping = 114.096,
     .M3_torque_model = 1.0,
-    .cardan2_flange2_equivalent_stiffness = 9493.474505177111,
     .diff_ratio = 1.0,
+    .cardan2_flange2_equivalent_stiffness = 9493.474505177111,
     .flange1_cardan1_cardan2_flange2_equivalent_stiffness = -8214.194052548717,
     .flange1_cardan1_equivalent_stiffness = 13786.395865973578,
     .M2_torque_integral_gain = 10.0,
@@ -119,8 +119,8 @@ const centre_differential_locked_controller_params centre_differential_locked_co
     .M3_model_stiffness = 6851.48,
     .M3_model_damping = 114.096,
     .M3_torque_model = 0.0,
-    .cardan2_flange2_equivalent_stiffness = 9493.474505177111,
     .diff_ratio = 1.0,
+    .cardan2_flange2_equivalent_stiffness = 9493.474505177111,
     .flange1_cardan1_cardan2_flange2_equivalent_stiffness = -8214.194052548717,
     .flange1_cardan1_equivalent_stiffness = 13786.395865973578,
     .M2_torque_integral_gain = 0.250545,
@@ -188,8 +188,8 @@ static const struct {
     { "the parameter M3_model_stiffness is outside its range", offsetof(centre_differential_locked_controller_params, M3_model_stiffness), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M3_model_damping is outside its range", offsetof(centre_differential_locked_controller_params, M3_model_damping), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M3_torque_model is outside its range", offsetof(centre_differential_locked_controller_params, M3_torque_model), 0.0, 1.0, 0, 0 },
-    { "the parameter cardan2_flange2_equivalent_stiffness is outside its range", offsetof(centre_differential_locked_controller_params, cardan2_flange2_equivalent_stiffness), 0.0, DBL_MAX, 1, 0 },
     { "the parameter diff_ratio is outside its range", offsetof(centre_differential_locked_controller_params, diff_ratio), -DBL_MAX, DBL_MAX, 0, 1 },
+    { "the parameter cardan2_flange2_equivalent_stiffness is outside its range", offsetof(centre_differential_locked_controller_params, cardan2_flange2_equivalent_stiffness), 0.0, DBL_MAX, 1, 0 },
     { "the parameter flange1_cardan1_cardan2_flange2_equivalent_stiffness is outside its range", offsetof(centre_differential_locked_controller_params, flange1_cardan1_cardan2_flange2_equivalent_stiffness), -DBL_MAX, DBL_MAX, 0, 0 },
     { "the parameter flange1_cardan1_equivalent_stiffness is outside its range", offsetof(centre_differential_locked_controller_params, flange1_cardan1_equivalent_stiffness), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M2_torque_integral_gain is outside its range", offsetof(centre_differential_locked_controller_params, M2_torque_integral_gain), 0.0, DBL_MAX, 0, 0 },
@@ -277,6 +277,7 @@ centre_differential_locked_controller_status centre_differential_locked_controll
     s->flange3_torque_ref_step = p->flange3_torque_ref_rate * p->sample_time;
     s->M3_model_pull = p->M3_model_stiffness * p->sample_time / p->M3_inertia_estimate;
     s->M3_model_drag = p->M3_model_damping * p->sample_time / p->M3_inertia_estimate;
+    s->M2_with_M1 = p->M2_inertia_estimate / (p->M1_inertia * p->diff_ratio);
     s->M2_share_M2 = -p->cardan2_flange2_equivalent_stiffness * (p->cardan2_flange2_equivalent_stiffness +
         (p->diff_ratio * p->diff_ratio) * p->flange1_cardan1_equivalent_stiffness + 2.0 * p->diff_ratio *
         p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) / ((p->diff_ratio * p->diff_ratio) *
@@ -290,7 +291,6 @@ centre_differential_locked_controller_status centre_differential_locked_controll
         p->diff_ratio) * (p->cardan2_flange2_equivalent_stiffness * p->flange1_cardan1_equivalent_stiffness -
         (p->flange1_cardan1_cardan2_flange2_equivalent_stiffness *
         p->flange1_cardan1_cardan2_flange2_equivalent_stiffness)));
-    s->M2_with_M1 = p->M2_inertia_estimate / (p->M1_inertia * p->diff_ratio);
     s->M2_from_flange1_torque = p->M2_inertia_estimate * (p->cardan2_flange2_equivalent_stiffness + p->diff_ratio *
         p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) * (p->cardan2_flange2_equivalent_stiffness +
         (p->diff_ratio * p->diff_ratio) * p->flange1_cardan1_equivalent_stiffness + 2.0 * p->diff_ratio *
@@ -335,6 +335,7 @@ centre_differential_locked_controller_status centre_differential_locked_controll
         (p->cardan2_flange2_equivalent_stiffness * p->flange1_cardan1_equivalent_stiffness -
         (p->flange1_cardan1_cardan2_flange2_equivalent_stiffness *
         p->flange1_cardan1_cardan2_flange2_equivalent_stiffness)));
+    s->M3_with_M1 = p->M3_inertia_estimate / (p->M1_inertia * p->diff_ratio);
     s->M3_share_M2 = -p->M3_inertia_estimate * p->cardan2_flange2_equivalent_stiffness *
         (p->cardan2_flange2_equivalent_stiffness + p->diff_ratio *
         p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) / (p->M2_inertia_estimate * (p->diff_ratio *
@@ -347,7 +348,6 @@ centre_differential_locked_controller_status centre_differential_locked_controll
         (p->cardan2_flange2_equivalent_stiffness * p->flange1_cardan1_equivalent_stiffness -
         (p->flange1_cardan1_cardan2_flange2_equivalent_stiffness *
         p->flange1_cardan1_cardan2_flange2_equivalent_stiffness)));
-    s->M3_with_M1 = p->M3_inertia_estimate / (p->M1_inertia * p->diff_ratio);
     s->M3_from_flange1_torque = p->M3_inertia_estimate * p->cardan2_flange2_equivalent_stiffness *
         (p->cardan2_flange2_equivalent_stiffness + p->diff_ratio *
         p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) / (p->M2_inertia_estimate * p->diff_ratio *
@@ -512,7 +512,7 @@ centre_differential_locked_controller_status centre_differential_locked_controll
         centre_differential_locked_min(1.0, s->M3_speed_held * s->M3_taper_slope + s->M3_taper_end));
     const centre_differential_locked_real M3_most = M3_available * centre_differential_locked_max(0.0,
         centre_differential_locked_min(1.0, -s->M3_speed_held * s->M3_taper_slope + s->M3_taper_end));
-    /* rate of the reference */
+    /* limit of the rate */
     const centre_differential_locked_real M1_speed_ref_before = ((s->running > 0.5) ? s->M1_speed_ref_limited :
         s->M1_speed_held);
     s->M1_speed_ref_limited = M1_speed_ref_before + centre_differential_locked_max(-s->M1_speed_ref_step,
@@ -527,20 +527,21 @@ centre_differential_locked_controller_status centre_differential_locked_controll
     const centre_differential_locked_real M1_integral_before = ((p->M1_speed_integral_gain > 0.0) ? M1_given_away :
         0.0) + ((s->running > 0.5) ? s->M1_speed_integral : 0.0);
     const centre_differential_locked_real M1_asked = M1_integral_before + M1_speed_error * p->M1_speed_gain;
+    const centre_differential_locked_real M1_wanted = M1_asked + M1_compensation * s->load_compensation_now;
     /* torque-speed envelope */
     const centre_differential_locked_real M1_command = centre_differential_locked_max(M1_least,
-        centre_differential_locked_min(M1_most, M1_asked + M1_compensation * s->load_compensation_now));
-    /* what the limit leaves of it */
-    const centre_differential_locked_real M1_virtual = M1_command - M1_compensation * s->load_compensation_now;
+        centre_differential_locked_min(M1_most, M1_wanted));
+    /* what the limit cuts off */
+    const centre_differential_locked_real M1_cut = M1_command - M1_wanted;
     /* conditioning anti-windup (Hanus) */
-    s->M1_speed_integral = M1_integral_before + s->M1_speed_conditioning * (-M1_asked + M1_virtual) + M1_speed_error
-        * s->M1_speed_growth;
+    s->M1_speed_integral = M1_cut * s->M1_speed_conditioning + M1_integral_before + M1_speed_error *
+        s->M1_speed_growth;
     /* net torque on the rotor */
     const centre_differential_locked_real M1_net = M1_command - M1_compensation;
     /* testing torque from the sensors (5.95), (5.96), (5.98) */
     const centre_differential_locked_real flange2_torque_estimate = M1_net * s->M2_unread_M1 +
         s->flange2_torque_held;
-    /* rate of the reference */
+    /* limit of the rate */
     const centre_differential_locked_real flange2_torque_ref_before = ((s->running > 0.5) ?
         s->flange2_torque_ref_limited : flange2_torque_estimate);
     s->flange2_torque_ref_limited = flange2_torque_ref_before +
@@ -563,7 +564,7 @@ centre_differential_locked_controller_status centre_differential_locked_controll
     /* testing torque from the sensors (5.95), (5.96), (5.98) */
     const centre_differential_locked_real flange3_torque_estimate = M1_net * s->M3_unread_M1 +
         s->flange3_torque_held;
-    /* rate of the reference */
+    /* limit of the rate */
     const centre_differential_locked_real flange3_torque_ref_before = ((s->running > 0.5) ?
         s->flange3_torque_ref_limited : flange3_torque_estimate);
     s->flange3_torque_ref_limited = flange3_torque_ref_before +

@@ -59,8 +59,8 @@ typedef struct {
     centre_differential_locked_real M3_model_stiffness; /* stiffness in the torque model of M3 (N m/rad) */
     centre_differential_locked_real M3_model_damping; /* damping in the torque model of M3 (N m s/rad) */
     centre_differential_locked_real M3_torque_model; /* switch of the torque model of M3, 0 to 1 */
-    centre_differential_locked_real cardan2_flange2_equivalent_stiffness; /* equivalent stiffness cardan2_flange2 (N m/rad) */
     centre_differential_locked_real diff_ratio; /* ratio i_d of input speed to mean output speed */
+    centre_differential_locked_real cardan2_flange2_equivalent_stiffness; /* equivalent stiffness cardan2_flange2 (N m/rad) */
     centre_differential_locked_real flange1_cardan1_cardan2_flange2_equivalent_stiffness; /* equivalent stiffness flange1_cardan1_cardan2_flange2 (N m/rad) */
     centre_differential_locked_real flange1_cardan1_equivalent_stiffness; /* equivalent stiffness flange1_cardan1 (N m/rad) */
     centre_differential_locked_real M2_torque_integral_gain; /* integral gain of the torque control of M2 (1/s) */
@@ -148,9 +148,9 @@ typedef struct {
     centre_differential_locked_real flange3_torque_ref_step; /* largest change of flange3_torque_ref in a step (N m) */
     centre_differential_locked_real M3_model_pull; /* rate of the torque model per missing torque (1/s) */
     centre_differential_locked_real M3_model_drag; /* decay of that rate in a step */
+    centre_differential_locked_real M2_with_M1; /* coefficient of the virtual input of M1 */
     centre_differential_locked_real M2_share_M2; /* coefficient of the virtual input of M2 */
     centre_differential_locked_real M2_share_M3; /* coefficient of the virtual input of M3 */
-    centre_differential_locked_real M2_with_M1; /* coefficient of the virtual input of M1 */
     centre_differential_locked_real M2_from_flange1_torque; /* coefficient of flange1_torque */
     centre_differential_locked_real M2_from_flange2_torque; /* coefficient of flange2_torque */
     centre_differential_locked_real M2_twist_M1_speed; /* coefficient of M1_speed */
@@ -158,9 +158,9 @@ typedef struct {
     centre_differential_locked_real M2_twist_M3_speed; /* coefficient of M3_speed */
     centre_differential_locked_real M2_torque_growth; /* growth of the integrator per error */
     centre_differential_locked_real M2_share; /* share of its virtual input in M2 */
+    centre_differential_locked_real M3_with_M1; /* coefficient of the virtual input of M1 */
     centre_differential_locked_real M3_share_M2; /* coefficient of the virtual input of M2 */
     centre_differential_locked_real M3_share_M3; /* coefficient of the virtual input of M3 */
-    centre_differential_locked_real M3_with_M1; /* coefficient of the virtual input of M1 */
     centre_differential_locked_real M3_from_flange1_torque; /* coefficient of flange1_torque */
     centre_differential_locked_real M3_from_flange3_torque; /* coefficient of flange3_torque */
     centre_differential_locked_real M3_twist_M1_speed; /* coefficient of M1_speed */
@@ -232,8 +232,8 @@ typedef enum {
     centre_differential_locked_controller_bad_M3_model_stiffness = 2045, /* outside its range */
     centre_differential_locked_controller_bad_M3_model_damping = 2046, /* outside its range */
     centre_differential_locked_controller_bad_M3_torque_model = 2047, /* outside its range */
-    centre_differential_locked_controller_bad_cardan2_flange2_equivalent_stiffness = 2048, /* outside its range */
-    centre_differential_locked_controller_bad_diff_ratio = 2049, /* outside its range */
+    centre_differential_locked_controller_bad_diff_ratio = 2048, /* outside its range */
+    centre_differential_locked_controller_bad_cardan2_flange2_equivalent_stiffness = 2049, /* outside its range */
     centre_differential_locked_controller_bad_flange1_cardan1_cardan2_flange2_equivalent_stiffness = 2050, /* outside its range */
     centre_differential_locked_controller_bad_flange1_cardan1_equivalent_stiffness = 2051, /* outside its range */
     centre_differential_locked_controller_bad_M2_torque_integral_gain = 2052, /* outside its range */

@@ -142,4 +142,18 @@ static inline void centre_differential_locked_guard(centre_differential_locked_r
     *sound = good ? 1.0 : 0.0;
 }
 
+/*
+ * Function that is linear between the n increasing points of `grid` and constant beyond them; slope[k] holds from
+ * grid[k] on, `first` is the value at grid[0]. Always takes the same time.
+ */
+static inline void centre_differential_locked_lookup(int n, centre_differential_locked_real value, const centre_differential_locked_real *grid, const centre_differential_locked_real *slope,
+    centre_differential_locked_real first, centre_differential_locked_real *result)
+{
+    centre_differential_locked_real sum = first;
+    for (int k = 0; k + 1 < n; ++k) {
+        sum += slope[k] * centre_differential_locked_min(centre_differential_locked_max(value - grid[k], 0.0), grid[k + 1] - grid[k]);
+    }
+    *result = sum;
+}
+
 #endif

@@ -220,7 +220,7 @@ clutch_rig_controller_status clutch_rig_controller_step(clutch_rig_controller_st
         s->M2_taper_slope + s->M2_taper_end));
     const clutch_rig_real M2_most = M2_available * clutch_rig_max(0.0, clutch_rig_min(1.0, -s->M2_speed_held *
         s->M2_taper_slope + s->M2_taper_end));
-    /* rate of the reference */
+    /* limit of the rate */
     const clutch_rig_real M1_speed_ref_before = ((s->running > 0.5) ? s->M1_speed_ref_limited : s->M1_speed_held);
     s->M1_speed_ref_limited = M1_speed_ref_before + clutch_rig_max(-s->M1_speed_ref_step,
         clutch_rig_min(s->M1_speed_ref_step, -M1_speed_ref_before + s->M1_speed_ref_held));
@@ -236,14 +236,14 @@ clutch_rig_controller_status clutch_rig_controller_step(clutch_rig_controller_st
     const clutch_rig_real M1_integral_before = ((p->M1_speed_integral_gain > 0.0) ? M1_given_away : 0.0) +
         ((s->running > 0.5) ? s->M1_speed_integral : 0.0);
     const clutch_rig_real M1_asked = M1_integral_before + M1_speed_error * p->M1_speed_gain;
+    const clutch_rig_real M1_wanted = M1_asked + M1_compensation * s->load_compensation_now;
     /* torque-speed envelope */
-    const clutch_rig_real M1_command = clutch_rig_max(M1_least, clutch_rig_min(M1_most, M1_asked + M1_compensation *
-        s->load_compensation_now));
-    /* what the limit leaves of it */
-    const clutch_rig_real M1_virtual = M1_command - M1_compensation * s->load_compensation_now;
+    const clutch_rig_real M1_command = clutch_rig_max(M1_least, clutch_rig_min(M1_most, M1_wanted));
+    /* what the limit cuts off */
+    const clutch_rig_real M1_cut = M1_command - M1_wanted;
     /* conditioning anti-windup (Hanus) */
-    s->M1_speed_integral = M1_integral_before + s->M1_speed_conditioning * (-M1_asked + M1_virtual) + M1_speed_error
-        * s->M1_speed_growth;
+    s->M1_speed_integral = M1_cut * s->M1_speed_conditioning + M1_integral_before + M1_speed_error *
+        s->M1_speed_growth;
     const clutch_rig_real M2_speed_error = -s->M2_speed_held + s->M2_speed_ref_limited;
     /* load torque compensation (5.52), (5.74) */
     const clutch_rig_real M2_compensation = -s->flange2_torque_held;
@@ -253,14 +253,14 @@ clutch_rig_controller_status clutch_rig_controller_step(clutch_rig_controller_st
     const clutch_rig_real M2_integral_before = ((p->M2_speed_integral_gain > 0.0) ? M2_given_away : 0.0) +
         ((s->running > 0.5) ? s->M2_speed_integral : 0.0);
     const clutch_rig_real M2_asked = M2_integral_before + M2_speed_error * p->M2_speed_gain;
+    const clutch_rig_real M2_wanted = M2_asked + M2_compensation * s->load_compensation_now;
     /* torque-speed envelope */
-    const clutch_rig_real M2_command = clutch_rig_max(M2_least, clutch_rig_min(M2_most, M2_asked + M2_compensation *
-        s->load_compensation_now));
-    /* what the limit leaves of it */
-    const clutch_rig_real M2_virtual = M2_command - M2_compensation * s->load_compensation_now;
+    const clutch_rig_real M2_command = clutch_rig_max(M2_least, clutch_rig_min(M2_most, M2_wanted));
+    /* what the limit cuts off */
+    const clutch_rig_real M2_cut = M2_command - M2_wanted;
     /* conditioning anti-windup (Hanus) */
-    s->M2_speed_integral = M2_integral_before + s->M2_speed_conditioning * (-M2_asked + M2_virtual) + M2_speed_error
-        * s->M2_speed_growth;
+    s->M2_speed_integral = M2_cut * s->M2_speed_conditioning + M2_integral_before + M2_speed_error *
+        s->M2_speed_growth;
     const clutch_rig_real M1_largest = 1.01 * p->M1_torque_max;
     /* only sound torques leave */
     clutch_rig_real M1_released;

@@ -142,4 +142,18 @@ static inline void clutch_rig_guard(clutch_rig_real value, clutch_rig_real bound
     *sound = good ? 1.0 : 0.0;
 }
 
+/*
+ * Function that is linear between the n increasing points of `grid` and constant beyond them; slope[k] holds from
+ * grid[k] on, `first` is the value at grid[0]. Always takes the same time.
+ */
+static inline void clutch_rig_lookup(int n, clutch_rig_real value, const clutch_rig_real *grid, const clutch_rig_real *slope,
+    clutch_rig_real first, clutch_rig_real *result)
+{
+    clutch_rig_real sum = first;
+    for (int k = 0; k + 1 < n; ++k) {
+        sum += slope[k] * clutch_rig_min(clutch_rig_max(value - grid[k], 0.0), grid[k + 1] - grid[k]);
+    }
+    *result = sum;
+}
+
 #endif

@@ -259,11 +259,11 @@ differential_gearboxes_controller_status differential_gearboxes_controller_updat
     s->diff_outputs_torque_ref_step = p->diff_outputs_torque_ref_rate * p->sample_time;
     s->M1_model_pull = p->M1_model_stiffness * p->sample_time / p->M1_inertia_estimate;
     s->M1_model_drag = p->M1_model_damping * p->sample_time / p->M1_inertia_estimate;
-    s->M1_share_M1 = 1.0 / (p->diff_ratio * p->gearbox1_ratio);
     s->M1_with_M2 = (0.5) * p->M1_inertia_estimate * p->diff_ratio * p->gearbox1_ratio / (p->M2_inertia *
         p->gearbox2_ratio);
     s->M1_with_M3 = (0.5) * p->M1_inertia_estimate * p->diff_ratio * p->gearbox1_ratio / (p->M3_inertia *
         p->gearbox3_ratio);
+    s->M1_share_M1 = 1.0 / (p->diff_ratio * p->gearbox1_ratio);
     s->M1_twist_M2_speed = (0.5) * p->diff_ratio * p->gearbox1_ratio / p->gearbox2_ratio;
     s->M1_twist_M3_speed = (0.5) * p->diff_ratio * p->gearbox1_ratio / p->gearbox3_ratio;
     s->M1_torque_growth = p->M1_torque_integral_gain * p->sample_time;
@@ -372,7 +372,7 @@ differential_gearboxes_controller_status differential_gearboxes_controller_step(
         differential_gearboxes_min(1.0, s->M3_speed_held * s->M3_taper_slope + s->M3_taper_end));
     const differential_gearboxes_real M3_most = M3_available * differential_gearboxes_max(0.0,
         differential_gearboxes_min(1.0, -s->M3_speed_held * s->M3_taper_slope + s->M3_taper_end));
-    /* rate of the reference */
+    /* limit of the rate */
     const differential_gearboxes_real M2_speed_ref_before = ((s->running > 0.5) ? s->M2_speed_ref_limited :
         s->M2_speed_held);
     s->M2_speed_ref_limited = M2_speed_ref_before + differential_gearboxes_max(-s->M2_speed_ref_step,
@@ -391,14 +391,15 @@ differential_gearboxes_controller_status differential_gearboxes_controller_step(
     const differential_gearboxes_real M2_integral_before = ((p->M2_speed_integral_gain > 0.0) ? M2_given_away : 0.0)
         + ((s->running > 0.5) ? s->M2_speed_integral : 0.0);
     const differential_gearboxes_real M2_asked = M2_integral_before + M2_speed_error * p->M2_speed_gain;
+    const differential_gearboxes_real M2_wanted = M2_asked + M2_compensation * s->load_compensation_now;
     /* torque-speed envelope */
     const differential_gearboxes_real M2_command = differential_gearboxes_max(M2_least,
-        differential_gearboxes_min(M2_most, M2_asked + M2_compensation * s->load_compensation_now));
-    /* what the limit leaves of it */
-    const differential_gearboxes_real M2_virtual = M2_command - M2_compensation * s->load_compensation_now;
+        differential_gearboxes_min(M2_most, M2_wanted));
+    /* what the limit cuts off */
+    const differential_gearboxes_real M2_cut = M2_command - M2_wanted;
     /* conditioning anti-windup (Hanus) */
-    s->M2_speed_integral = M2_integral_before + s->M2_speed_conditioning * (-M2_asked + M2_virtual) + M2_speed_error
-        * s->M2_speed_growth;
+    s->M2_speed_integral = M2_cut * s->M2_speed_conditioning + M2_integral_before + M2_speed_error *
+        s->M2_speed_growth;
     /* net torque on the rotor */
     const differential_gearboxes_real M2_net = M2_command - M2_compensation;
     const differential_gearboxes_real M3_speed_error = -s->M3_speed_held + s->M3_speed_ref_limited;
@@ -411,21 +412,22 @@ differential_gearboxes_controller_status differential_gearboxes_controller_step(
     const differential_gearboxes_real M3_integral_before = ((p->M3_speed_integral_gain > 0.0) ? M3_given_away : 0.0)
         + ((s->running > 0.5) ? s->M3_speed_integral : 0.0);
     const differential_gearboxes_real M3_asked = M3_integral_before + M3_speed_error * p->M3_speed_gain;
+    const differential_gearboxes_real M3_wanted = M3_asked + M3_compensation * s->load_compensation_now;
     /* torque-speed envelope */
     const differential_gearboxes_real M3_command = differential_gearboxes_max(M3_least,
-        differential_gearboxes_min(M3_most, M3_asked + M3_compensation * s->load_compensation_now));
-    /* what the limit leaves of it */
-    const differential_gearboxes_real M3_virtual = M3_command - M3_compensation * s->load_compensation_now;
+        differential_gearboxes_min(M3_most, M3_wanted));
+    /* what the limit cuts off */
+    const differential_gearboxes_real M3_cut = M3_command - M3_wanted;
     /* conditioning anti-windup (Hanus) */
-    s->M3_speed_integral = M3_integral_before + s->M3_speed_conditioning * (-M3_asked + M3_virtual) + M3_speed_error
-        * s->M3_speed_growth;
+    s->M3_speed_integral = M3_cut * s->M3_speed_conditioning + M3_integral_before + M3_speed_error *
+        s->M3_speed_growth;
     /* net torque on the rotor */
     const differential_gearboxes_real M3_net = M3_command - M3_compensation;
     /* testing torque from the sensors (5.95), (5.96), (5.98) */
     const differential_gearboxes_real diff_outputs_torque_estimate = s->M1_read_M2 * M2_net + s->M1_read_M3 * M3_net
         + s->M1_unread_M2 * M2_net + s->M1_unread_M3 * M3_net + s->flange2_torque_held * p->gearbox2_ratio +
         s->flange3_torque_held * p->gearbox3_ratio;
-    /* rate of the reference */
+    /* limit of the rate */
     const differential_gearboxes_real diff_outputs_torque_ref_before = ((s->running > 0.5) ?
         s->diff_outputs_torque_ref_limited : diff_outputs_torque_estimate);
     s->diff_outputs_torque_ref_limited = diff_outputs_torque_ref_before +

@@ -137,9 +137,9 @@ typedef struct {
     differential_gearboxes_real diff_outputs_torque_ref_step; /* largest change of diff_outputs_torque_ref in a step (N m) */
     differential_gearboxes_real M1_model_pull; /* rate of the torque model per missing torque (1/s) */
     differential_gearboxes_real M1_model_drag; /* decay of that rate in a step */
-    differential_gearboxes_real M1_share_M1; /* coefficient of the virtual input of M1 */
     differential_gearboxes_real M1_with_M2; /* coefficient of the virtual input of M2 */
     differential_gearboxes_real M1_with_M3; /* coefficient of the virtual input of M3 */
+    differential_gearboxes_real M1_share_M1; /* coefficient of the virtual input of M1 */
     differential_gearboxes_real M1_twist_M2_speed; /* coefficient of M2_speed */
     differential_gearboxes_real M1_twist_M3_speed; /* coefficient of M3_speed */
     differential_gearboxes_real M1_torque_growth; /* growth of the integrator per error */

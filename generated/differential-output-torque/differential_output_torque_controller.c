@@ -362,7 +362,7 @@ differential_output_torque_controller_status differential_output_torque_controll
         differential_output_torque_min(1.0, s->M3_speed_held * s->M3_taper_slope + s->M3_taper_end));
     const differential_output_torque_real M3_most = M3_available * differential_output_torque_max(0.0,
         differential_output_torque_min(1.0, -s->M3_speed_held * s->M3_taper_slope + s->M3_taper_end));
-    /* rate of the reference */
+    /* limit of the rate */
     const differential_output_torque_real M1_speed_ref_before = ((s->running > 0.5) ? s->M1_speed_ref_limited :
         s->M1_speed_held);
     s->M1_speed_ref_limited = M1_speed_ref_before + differential_output_torque_max(-s->M1_speed_ref_step,
@@ -381,14 +381,15 @@ differential_output_torque_controller_status differential_output_torque_controll
     const differential_output_torque_real M1_integral_before = ((p->M1_speed_integral_gain > 0.0) ? M1_given_away :
         0.0) + ((s->running > 0.5) ? s->M1_speed_integral : 0.0);
     const differential_output_torque_real M1_asked = M1_integral_before + M1_speed_error * p->M1_speed_gain;
+    const differential_output_torque_real M1_wanted = M1_asked + M1_compensation * s->load_compensation_now;
     /* torque-speed envelope */
     const differential_output_torque_real M1_command = differential_output_torque_max(M1_least,
-        differential_output_torque_min(M1_most, M1_asked + M1_compensation * s->load_compensation_now));
-    /* what the limit leaves of it */
-    const differential_output_torque_real M1_virtual = M1_command - M1_compensation * s->load_compensation_now;
+        differential_output_torque_min(M1_most, M1_wanted));
+    /* what the limit cuts off */
+    const differential_output_torque_real M1_cut = M1_command - M1_wanted;
     /* conditioning anti-windup (Hanus) */
-    s->M1_speed_integral = M1_integral_before + s->M1_speed_conditioning * (-M1_asked + M1_virtual) + M1_speed_error
-        * s->M1_speed_growth;
+    s->M1_speed_integral = M1_cut * s->M1_speed_conditioning + M1_integral_before + M1_speed_error *
+        s->M1_speed_growth;
     /* net torque on the rotor */
     const differential_output_torque_real M1_net = M1_command - M1_compensation;
     const differential_output_torque_real M3_speed_error = -s->M3_speed_held + s->M3_speed_ref_limited;
@@ -401,20 +402,21 @@ differential_output_torque_controller_status differential_output_torque_controll
     const differential_output_torque_real M3_integral_before = ((p->M3_speed_integral_gain > 0.0) ? M3_given_away :
         0.0) + ((s->running > 0.5) ? s->M3_speed_integral : 0.0);
     const differential_output_torque_real M3_asked = M3_integral_before + M3_speed_error * p->M3_speed_gain;
+    const differential_output_torque_real M3_wanted = M3_asked + M3_compensation * s->load_compensation_now;
     /* torque-speed envelope */
     const differential_output_torque_real M3_command = differential_output_torque_max(M3_least,
-        differential_output_torque_min(M3_most, M3_asked + M3_compensation * s->load_compensation_now));
-    /* what the limit leaves of it */
-    const differential_output_torque_real M3_virtual = M3_command - M3_compensation * s->load_compensation_now;
+        differential_output_torque_min(M3_most, M3_wanted));
+    /* what the limit cuts off */
+    const differential_output_torque_real M3_cut = M3_command - M3_wanted;
     /* conditioning anti-windup (Hanus) */
-    s->M3_speed_integral = M3_integral_before + s->M3_speed_conditioning * (-M3_asked + M3_virtual) + M3_speed_error
-        * s->M3_speed_growth;
+    s->M3_speed_integral = M3_cut * s->M3_speed_conditioning + M3_integral_before + M3_speed_error *
+        s->M3_speed_growth;
     /* net torque on the rotor */
     const differential_output_torque_real M3_net = M3_command - M3_compensation;
     /* testing torque from the sensors (5.95), (5.96), (5.98) */
     const differential_output_torque_real diff_output1_torque_estimate = M1_net * s->M2_unread_M1 + s->M2_unread_M3
         * M3_net + s->flange2_torque_held;
-    /* rate of the reference */
+    /* limit of the rate */
     const differential_output_torque_real diff_output1_torque_ref_before = ((s->running > 0.5) ?
         s->diff_output1_torque_ref_limited : diff_output1_torque_estimate);
     s->diff_output1_torque_ref_limited = diff_output1_torque_ref_before +

@@ -142,4 +142,18 @@ static inline void differential_output_torque_guard(differential_output_torque_r
     *sound = good ? 1.0 : 0.0;
 }
 
+/*
+ * Function that is linear between the n increasing points of `grid` and constant beyond them; slope[k] holds from
+ * grid[k] on, `first` is the value at grid[0]. Always takes the same time.
+ */
+static inline void differential_output_torque_lookup(int n, differential_output_torque_real value, const differential_output_torque_real *grid, const differential_output_torque_real *slope,
+    differential_output_torque_real first, differential_output_torque_real *result)
+{
+    differential_output_torque_real sum = first;
+    for (int k = 0; k + 1 < n; ++k) {
+        sum += slope[k] * differential_output_torque_min(differential_output_torque_max(value - grid[k], 0.0), grid[k + 1] - grid[k]);
+    }
+    *result = sum;
+}
+
 #endif

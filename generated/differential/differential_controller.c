@@ -351,7 +351,7 @@ differential_controller_status differential_controller_step(differential_control
         * s->M3_taper_slope + s->M3_taper_end));
     const differential_real M3_most = M3_available * differential_max(0.0, differential_min(1.0, -s->M3_speed_held *
         s->M3_taper_slope + s->M3_taper_end));
-    /* rate of the reference */
+    /* limit of the rate */
     const differential_real M2_speed_ref_before = ((s->running > 0.5) ? s->M2_speed_ref_limited : s->M2_speed_held);
     s->M2_speed_ref_limited = M2_speed_ref_before + differential_max(-s->M2_speed_ref_step,
         differential_min(s->M2_speed_ref_step, -M2_speed_ref_before + s->M2_speed_ref_held));
@@ -367,14 +367,14 @@ differential_controller_status differential_controller_step(differential_control
     const differential_real M2_integral_before = ((p->M2_speed_integral_gain > 0.0) ? M2_given_away : 0.0) +
         ((s->running > 0.5) ? s->M2_speed_integral : 0.0);
     const differential_real M2_asked = M2_integral_before + M2_speed_error * p->M2_speed_gain;
+    const differential_real M2_wanted = M2_asked + M2_compensation * s->load_compensation_now;
     /* torque-speed envelope */
-    const differential_real M2_command = differential_max(M2_least, differential_min(M2_most, M2_asked +
-        M2_compensation * s->load_compensation_now));
-    /* what the limit leaves of it */
-    const differential_real M2_virtual = M2_command - M2_compensation * s->load_compensation_now;
+    const differential_real M2_command = differential_max(M2_least, differential_min(M2_most, M2_wanted));
+    /* what the limit cuts off */
+    const differential_real M2_cut = M2_command - M2_wanted;
     /* conditioning anti-windup (Hanus) */
-    s->M2_speed_integral = M2_integral_before + s->M2_speed_conditioning * (-M2_asked + M2_virtual) + M2_speed_error
-        * s->M2_speed_growth;
+    s->M2_speed_integral = M2_cut * s->M2_speed_conditioning + M2_integral_before + M2_speed_error *
+        s->M2_speed_growth;
     /* net torque on the rotor */
     const differential_real M2_net = M2_command - M2_compensation;
     const differential_real M3_speed_error = -s->M3_speed_held + s->M3_speed_ref_limited;
@@ -386,20 +386,20 @@ differential_controller_status differential_controller_step(differential_control
     const differential_real M3_integral_before = ((p->M3_speed_integral_gain > 0.0) ? M3_given_away : 0.0) +
         ((s->running > 0.5) ? s->M3_speed_integral : 0.0);
     const differential_real M3_asked = M3_integral_before + M3_speed_error * p->M3_speed_gain;
+    const differential_real M3_wanted = M3_asked + M3_compensation * s->load_compensation_now;
     /* torque-speed envelope */
-    const differential_real M3_command = differential_max(M3_least, differential_min(M3_most, M3_asked +
-        M3_compensation * s->load_compensation_now));
-    /* what the limit leaves of it */
-    const differential_real M3_virtual = M3_command - M3_compensation * s->load_compensation_now;
+    const differential_real M3_command = differential_max(M3_least, differential_min(M3_most, M3_wanted));
+    /* what the limit cuts off */
+    const differential_real M3_cut = M3_command - M3_wanted;
     /* conditioning anti-windup (Hanus) */
-    s->M3_speed_integral = M3_integral_before + s->M3_speed_conditioning * (-M3_asked + M3_virtual) + M3_speed_error
-        * s->M3_speed_growth;
+    s->M3_speed_integral = M3_cut * s->M3_speed_conditioning + M3_integral_before + M3_speed_error *
+        s->M3_speed_growth;
     /* net torque on the rotor */
     const differential_real M3_net = M3_command - M3_compensation;
     /* testing torque from the sensors (5.95), (5.96), (5.98) */
     const differential_real diff_input_torque_estimate = s->M1_unread_M2 * M2_net + s->M1_unread_M3 * M3_net +
         s->flange1_torque_held;
-    /* rate of the reference */
+    /* limit of the rate */
     const differential_real diff_input_torque_ref_before = ((s->running > 0.5) ? s->diff_input_torque_ref_limited :
         diff_input_torque_estimate);
     s->diff_input_torque_ref_limited = diff_input_torque_ref_before +

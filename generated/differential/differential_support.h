@@ -142,4 +142,18 @@ static inline void differential_guard(differential_real value, differential_real
     *sound = good ? 1.0 : 0.0;
 }
 
+/*
+ * Function that is linear between the n increasing points of `grid` and constant beyond them; slope[k] holds from
+ * grid[k] on, `first` is the value at grid[0]. Always takes the same time.
+ */
+static inline void differential_lookup(int n, differential_real value, const differential_real *grid, const differential_real *slope,
+    differential_real first, differential_real *result)
+{
+    differential_real sum = first;
+    for (int k = 0; k + 1 < n; ++k) {
+        sum += slope[k] * differential_min(differential_max(value - grid[k], 0.0), grid[k + 1] - grid[k]);
+    }
+    *result = sum;
+}
+
 #endif
