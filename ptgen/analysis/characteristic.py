@@ -9,7 +9,7 @@ which can be judged by hand; without it, one polynomial of the full order remain
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import networkx as nx
 import numpy as np
@@ -42,7 +42,7 @@ class Factor:
 
     loops: tuple[str, ...]
     coefficients: tuple[sp.Expr, ...]
-    matrix: sp.Matrix | None = None
+    matrix: sp.Matrix | None = field(default=None, compare=False)
 
     @property
     def name(self) -> str:

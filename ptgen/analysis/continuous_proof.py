@@ -75,7 +75,7 @@ class AdmissibleGain:
         Of the bed's controller.
     closed_form : GainRange or None
         For which values the loop is asymptotically stable, given the gains chosen before; None where that is not
-        linear in the gain, or not computed in symbols.
+        linear in every gain of the factor, or not computed in symbols.
     real_poles : Expr or None
         Largest value for which the poles are real (5.110).
     intervals : tuple of (float, float)
@@ -301,7 +301,9 @@ def _proven(factor: Factor, free: Sequence[sp.Symbol], table: Mapping[sp.Symbol,
     ranges: dict[sp.Symbol, GainRange] = {}
     bounds: dict[sp.Symbol, sp.Expr | None] = {}
     if conditions is not None and not abbreviations:
-        ranges = {item.gain: item for item in closed_form_ranges(conditions, gains)}
+        found = closed_form_ranges(conditions, gains)
+        if len(found) == len(gains):  # one that is missing would narrow those before it
+            ranges = {item.gain: item for item in found}
         real = real_pole_condition(factor.coefficients, gains)
         if real is not None:
             bounds = {item.gain: item.upper for item in closed_form_ranges((real,), gains, conditions)}

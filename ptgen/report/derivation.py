@@ -10,6 +10,7 @@ import sympy as sp
 from numpy.typing import NDArray
 
 from ptgen.analysis.closed_loop import Pole, closed_loop_poles
+from ptgen.analysis.continuous_proof import ContinuousProof, continuous_proof
 from ptgen.block.block import Block
 from ptgen.control.decoupling import Decoupling
 from ptgen.elements import SensorKind, Spring
@@ -64,6 +65,8 @@ class Derivation:
     closed_loop : mapping of str to tuple of Pole
         Poles of the sampled closed loop, dead time and lag included, for both controllers. Gaps are closed, and
         elements that the reduced model takes for locked are locked here too; the others are without friction.
+    stability : ContinuousProof
+        Of the reduced model's closed loop, without sampling.
     """
 
     title: str
@@ -85,6 +88,7 @@ class Derivation:
     gains: tuple[Gain, ...]
     conventional: Mapping[str, float]
     closed_loop: Mapping[str, tuple[Pole, ...]]
+    stability: ContinuousProof
 
     @property
     def internal_eigenvalues(self) -> NDArray[np.complex128]:
@@ -128,6 +132,7 @@ def derivation(project: Project) -> Derivation:
         gains=_gains(project),
         conventional=design.controller.conventional,
         closed_loop={name: closed_loop_poles(project.controller, plant, values) for name, values in variants.items()},
+        stability=continuous_proof(design, reduced),
     )
 
 

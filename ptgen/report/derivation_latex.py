@@ -61,6 +61,7 @@ def _lines(found: Derivation) -> Iterator[str]:
         ("Law", _align(found.law.values())),
         ("Testing torque from sensors", _align(found.estimates)),
         ("Gains", _gains(found)),
+        ("Stability in continuous time", _stability(found)),
     )
     for heading, lines in sections:
         yield ""
@@ -187,3 +188,33 @@ def _matrix(found: Derivation) -> Iterator[str]:
 def _gains(found: Derivation) -> Iterator[str]:
     rows = [(gain.machine, gain.description, f"{gain.value:.5g}", gain.unit) for gain in found.gains]
     yield from _table("llrl", ("machine", "gain", "value", "unit"), rows)
+
+
+def _stability(found: Derivation) -> Iterator[str]:
+    """Write factors and admissible gains of the decoupled loop."""
+    setting = found.stability.settings[0]
+    rows, bounds = [], []
+    for proven in setting.factors:
+        factor = proven.factor
+        terms = []
+        for k, value in enumerate(factor.coefficients):
+            exponent = factor.degree - k
+            power = ("s" if exponent == 1 else f"s^{{{exponent}}}") if exponent else ""
+            written = "" if value == 1 and power else latex_expression(value)
+            if isinstance(value, sp.Add) and power:
+                written = rf"\left({written}\right)"
+            if value != 0:
+                terms.append(rf"{written}\,{power}" if written and power else written + power)
+        rows.append(rf"\Delta_{{\text{{{escape(factor.name)}}}}}(s) &= {' + '.join(terms)}".replace("+ -", "- "))
+        for gain in proven.gains:
+            if gain.closed_form is not None:
+                lower, upper = gain.closed_form.lower, gain.closed_form.upper
+                left = "" if lower is None else f"{latex_expression(lower)} < "
+                right = "" if upper is None else f" < {latex_expression(upper)}"
+                bounds.append(f"{left}{latex_name(gain.gain.name)}{right}")
+    yield "The characteristic polynomial of the decoupled loop, without sampling, is the product of"
+    yield from _rows(rows)
+    yield f"With the gains above it is {escape(setting.verdict.value)}."
+    if bounds:
+        yield "Admissible gains:"
+        yield from _rows([f"& {row}" for row in bounds])

@@ -17,6 +17,7 @@ from ptgen.report.formulas import Equation, text_expression
 from ptgen.report.friction_law import TEXT, friction_law
 from ptgen.report.motion import Motion
 from ptgen.report.quantities import percent, readable
+from ptgen.report.stability_text import stability_text
 
 __all__ = ["derivation_text"]
 
@@ -34,6 +35,7 @@ def derivation_text(found: Derivation) -> Iterator[RenderableType]:
         ("Law", _law(found)),
         ("Testing torque from sensors", _estimates(found)),
         ("Gains", _gains(found)),
+        ("Stability in continuous time", stability_text(found.stability)),
         ("Closed loop", _closed_loop(found)),
     ):
         yield Text(f"\n{heading}\n{'=' * len(heading)}", style="bold cyan")

@@ -99,6 +99,14 @@ def latex_expression(expression: sp.Expr) -> str:
 # What a parameter or signal is called in the file or in the emitted code -> the symbol of the literature.
 _SYMBOLS = (
     ("inertia_estimate", r"\hat I"),
+    ("speed_integral_gain", r"k_{\mathrm{i}}"),
+    ("torque_integral_gain", r"k_{\mathrm{i}}"),
+    ("small_error_integral_gain", r"k_{\mathrm{i}}"),
+    ("speed_gain", r"k_{\mathrm{p}}"),
+    ("torque_gain", r"k_{\mathrm{p}}"),
+    ("small_error_gain", r"k_{\mathrm{p}}"),
+    ("observer_bandwidth", r"\hat b"),
+    ("shaft_damping", "d"),
     ("pinion_ratio", r"\rho"),
     ("inertia", "I"),
     ("stiffness", "c"),

@@ -15,6 +15,7 @@ from ptgen.report.derivation import Derivation
 from ptgen.report.formulas import Equation
 from ptgen.report.friction_law import PLAIN, friction_law
 from ptgen.report.motion import Slip
+from ptgen.report.stability_plain import stability_json
 
 __all__ = ["bed_json", "derivation_json", "modes_json"]
 
@@ -95,6 +96,7 @@ def derivation_json(found: Derivation) -> dict[str, Any]:
         "gains": _gains(found),
         "conventional": dict(found.conventional),
         "closed_loop": {name: _poles(poles) for name, poles in found.closed_loop.items()},
+        "stability": stability_json(found.stability),
         "values": {symbol.name: value for symbol, value in found.values.items()},
     }
 

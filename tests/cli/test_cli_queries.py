@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import numpy as np
 import pytest
 import sympy as sp
 
@@ -47,6 +48,38 @@ def test_derive_gives_the_law_of_the_source(cli):
 
 
 @pytest.mark.parametrize("bed", BEDS)
+def test_derive_proves_stability(cli, bed):
+    found = cli.json("derive", f"testbeds/{bed}.toml")["stability"]
+    decoupling = found["settings"]["decoupling"]
+    assert decoupling["verdict"] == "stable"
+    assert sum(factor["degree"] for factor in decoupling["factors"]) == len(found["states"]) == len(found["matrix"])
+    assert sum(factor["degree"] for factor in found["polynomial"]) == len(found["states"])
+    for factor in decoupling["factors"]:
+        assert all(condition["value"] > 0 for condition in factor["conditions"])
+        assert all(pole["re"] < 0 for pole in factor["poles"])
+        assert all(gain["admissible"] for gain in factor["gains"])
+        zeros = np.roots(factor["values"])
+        poles = [complex(pole["re"], pole["im"]) for pole in factor["poles"]]
+        np.testing.assert_allclose(np.poly(poles), np.poly(zeros), rtol=1e-9)
+        for text in factor["coefficients"]:
+            sp.sympify(text)
+
+
+def test_derive_gives_the_ranges_of_the_source(cli):
+    """(5.115b) of the bed that it is stated for."""
+    factors = cli.json("derive", "testbeds/back-to-back.toml")["stability"]["settings"]["decoupling"]["factors"]
+    torque = next(factor for factor in factors if factor["loops"] == ["torque loop of M1"])
+    ranges = {gain["gain"]: gain for gain in torque["gains"]}
+    integral = ranges["M1_torque_integral_gain"]
+    d, k, inertia = sp.symbols("M1_damping M1_torque_gain M1_inertia_estimate")
+    assert sp.simplify(sp.sympify(integral["upper"]) - d * (1 + k) / inertia) == 0
+    assert (integral["lower"], ranges["M1_torque_gain"]["lower"]) == ("0", "-1")
+    text = cli("derive", "testbeds/back-to-back.toml").stdout
+    assert "0 < M1_torque_integral_gain < M1_damping·(M1_torque_gain + 1)/M1_inertia_estimate" in text
+    assert "real poles up to M2_speed_gain²/(4·M2_inertia)" in text
+
+
+@pytest.mark.parametrize("bed", BEDS)
 def test_derive_as_text_has_all_sections(cli, bed):
     text = cli("derive", f"testbeds/{bed}.toml").stdout
     headings = (
@@ -59,6 +92,8 @@ def test_derive_as_text_has_all_sections(cli, bed):
         "Law",
         "Testing torque from sensors",
         "Gains",
+        "Stability in continuous time",
+        "Closed loop",
     )
     places = [text.index(f"\n{heading}\n{'=' * len(heading)}") for heading in headings]
     assert places == sorted(places)
