@@ -60,7 +60,7 @@ class Verdict(Enum):
     """What becomes of a motion; the better ones first."""
 
     STABLE = "asymptotically stable"
-    NEUTRAL = "not asymptotically stable: it neither dies away nor grows"
+    NEUTRAL = "not asymptotically stable, poles on the imaginary axis"
     UNSTABLE = "unstable"
 
 
@@ -127,7 +127,8 @@ class Setting:
     Attributes
     ----------
     name : str
-        Such as "decoupling" or "conventional".
+        "decoupling", or "individual" where machines have feedback without cross terms; "conventional", and what else
+        the switches allow.
     fixed : mapping of Symbol to float
         Switches, and gains that are zero in this setting.
     values : mapping of Symbol to float
@@ -155,7 +156,7 @@ class ContinuousProof:
     loop : SymbolicLoop
         The closed loop with symbolic switches and gains.
     settings : tuple of Setting
-        Decoupling first.
+        All measures switched on first; positions of the switches that make no difference are left out.
     """
 
     loop: SymbolicLoop
@@ -195,11 +196,11 @@ def continuous_proof(
     conventional = {**values, **_by_name(loop, design.controller.conventional)}
     damping = dict.fromkeys(design.decoupling.damping, 0.0)
     positions = {
-        "decoupling": ((1, 1), {}, values),
+        str(design.decoupling.structure): ((1, 1), {}, values),
         "conventional": ((0, 0), damping, conventional),
+        "damping alone": ((0, 0), {}, values),
         "load compensation and damping": ((1, 0), {}, values),
         "acceleration torque and damping": ((0, 1), {}, values),
-        "damping alone": ((0, 0), {}, values),
     }
     settings: list[Setting] = []
     seen: list[sp.Matrix] = []
@@ -238,7 +239,7 @@ def equivalent_observer(gain: float, integral_gain: float, inertia: float) -> tu
 
     With :math:`k_p' = k_p + \hat b I` and :math:`k_i' = \hat b k_p` both have the same polynomial and the same response
     to the disturbance; they differ in the response to the reference, which with the observer has no zero and therefore
-    does not overshoot (source Figure 5.16). It exists if and only if the poles of the PI control are real (5.110); of
+    does not overshoot, but stays behind a ramp (source Figures 5.16, 5.17). It exists if and only if the poles of the PI control are real (5.110); of
     the two poles the faster one becomes that of the observer.
 
     Parameters

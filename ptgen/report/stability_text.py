@@ -60,6 +60,9 @@ def _factor(proven: ProvenFactor) -> Iterator[Text]:
     for condition in proven.conditions or ():
         if condition.expression in proven.abbreviations or condition.expression.free_symbols & bounded:
             continue
+        if condition.expression.is_number:
+            yield Text(f"      the {condition.origin} is {text_expression(condition.expression)}: no gain changes that")
+            continue
         written = text_expression(condition.expression)
         yield Text(f"      {written if len(written) <= _LONGEST else condition.origin} > 0")
     yield from _gains(proven.gains)
