@@ -44,6 +44,7 @@ def modes(
     model: Model,
     locked: Collection[str] = (),
     values: Mapping[sp.Symbol, float] | None = None,
+    held: Collection[str] = (),
 ) -> tuple[Mode, ...]:
     """Return the modes, rigid-body modes first, then by frequency.
 
@@ -54,6 +55,8 @@ def modes(
         Friction elements that stick, such as ``diff.limited_slip``; all others are free and without friction.
     values : mapping, optional
         Parameters that override those of the bed.
+    held : collection of str
+        Velocities that are zero, such as ``M2.shaft``: of machines whose controllers let nothing move them.
 
     Raises
     ------
@@ -78,8 +81,12 @@ def modes(
             ]
         )
     matrices = model.numeric(values)
-    held = matrices.friction_rows[[names.index(name) for name in locked], :]
-    N = scipy.linalg.null_space(held) if len(held) else np.eye(len(model.coordinates))
+    table = {**model.values, **(values or {})}
+    rows = matrices.friction_rows[[names.index(name) for name in locked], :]
+    rows = np.vstack([rows, *(evaluate_matrix(model.velocity_rows[name], table) for name in held)])
+    N = scipy.linalg.null_space(rows) if len(rows) else np.eye(len(model.coordinates))
+    if N.shape[1] == 0:
+        return ()
     E = matrices.twist_rows @ N
     M = N.T @ matrices.mass @ N
     K = E.T @ matrices.stiffness @ E
@@ -87,7 +94,6 @@ def modes(
     rigid = M.shape[0] - int(np.linalg.matrix_rank(E)) if E.size else M.shape[0]
     squared, shapes = scipy.linalg.eigh(K, M)
     poles = _poles(M, D, K)
-    table = {**model.values, **(values or {})}
     bodies = {name: evaluate_matrix(row, table)[0] @ N for name, row in model.shape_rows().items()}
     result = []
     shapes[:, :rigid] = _rigid_basis(shapes[:, :rigid], M)
