@@ -148,7 +148,7 @@ def continuous_coupling(decoupling: Decoupling, parameters: Mapping[str, float],
     values = dict(decoupling.values)
     values |= {symbol: parameters.get(symbol.name, 0.0) for symbol in decoupling.damping}
     A, B = evaluate_matrix(decoupling.system.A, values), evaluate_matrix(decoupling.system.B, values)
-    U_v, U_x = (evaluate_matrix(part, values) for part in decoupling.state_law[:2])
+    U_v, U_x = (evaluate_matrix(part, values) for part in (decoupling.state_law.v, decoupling.state_law.x))
     C = np.vstack([evaluate_matrix(chain.rows[0], values) for chain in decoupling.chains])
     n, m = A.shape[0], B.shape[1]
     names, scales = [], np.ones(m)

@@ -62,7 +62,7 @@ def frequency_grid(loop: SampledLoop) -> Array:
     """Return angular frequencies (rad/s) up to half the sampling rate, dense where a resonance could hide."""
     h = loop.sample_time
     systems = [loop.A, loop.closed(), *(loop.opened(k).A for k in range(len(loop.machines)))]
-    z = np.concatenate([np.linalg.eigvals(A) for A in systems])
+    z = np.concatenate([np.linalg.eigvals(A) for A in systems]).astype(np.complex128)
     s = np.log(z[(abs(z) > 1e-6) & (abs(z - 1) > NEUTRAL)]) / h
     highest = np.pi / h
     slowest = max(1e-3 * float(abs(s).min(initial=highest)), 1e-8 / h)

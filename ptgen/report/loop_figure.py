@@ -105,7 +105,13 @@ def _bode(
 
 def _note(axes: Axes, text: str, x: float, y: float, shift: tuple[int, int], place: str) -> None:
     axes.annotate(
-        text, (x, y), textcoords="offset points", xytext=shift, fontsize=7.5, color=ORANGE, va=place  # type: ignore[arg-type]
+        text,
+        (x, y),
+        textcoords="offset points",
+        xytext=shift,
+        fontsize=7.5,
+        color=ORANGE,
+        va=place,
     )
 
 
