@@ -36,6 +36,7 @@ generated: $(VENV)/demo
 
 bench: $(VENV)/test
 	$(BIN)/python bench/run.py
+	$(BIN)/python bench/controller.py
 	$(BIN)/python bench/solver.py
 	$(BIN)/python bench/accuracy.py
 	$(BIN)/python bench/simulators.py

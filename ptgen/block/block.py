@@ -26,6 +26,7 @@ __all__ = [
     "Assign",
     "Block",
     "Call",
+    "Fault",
     "Section",
     "Signal",
     "Statement",
@@ -58,6 +59,11 @@ class Signal:
         The value that a parameter must exceed (`least_allowed` false) or reach (true); None if any finite
         value will do.
     least_allowed : bool
+    most : float or None
+        The largest value of a parameter or input; None if any finite value will do.
+    monitor : bool
+        Whether this state only watches: it acts on the outputs through a fault alone, so it is no part of the
+        dynamics of the loop.
     """
 
     name: str
@@ -69,6 +75,7 @@ class Signal:
     least: float | None = None
     least_allowed: bool = True
     most: float | None = None
+    monitor: bool = False
 
     @property
     def size(self) -> int:
@@ -116,6 +123,15 @@ class Alarm:
 
 
 @dataclass(frozen=True)
+class Fault:
+    """A cause for which the block stops: what the state ``fault`` becomes, a name for the status, and a text."""
+
+    status: int
+    name: str
+    text: str
+
+
+@dataclass(frozen=True)
 class Block:
     """A named set of signals and statements; see the module.
 
@@ -128,9 +144,8 @@ class Block:
     arrays : tuple of Signal
         Local arrays; local scalars need no declaration.
     prepare, step, measure : tuple of Statement
-    faults : tuple of str
-        Names of the signals whose failure the state ``fault`` tells by its number, counted from 1; empty for
-        blocks without supervision.
+    faults : tuple of Fault
+        What the state ``fault`` may tell; empty for blocks without supervision.
     alarms : tuple of Alarm
         What a step may have to tell though it went on.
     """
@@ -146,7 +161,7 @@ class Block:
     prepare: tuple[Statement, ...] = ()
     step: tuple[Statement, ...] = ()
     measure: tuple[Statement, ...] = ()
-    faults: tuple[str, ...] = ()
+    faults: tuple[Fault, ...] = ()
     alarms: tuple[Alarm, ...] = ()
     _index: dict[str, Signal] = field(default_factory=dict, init=False, repr=False, compare=False)
 

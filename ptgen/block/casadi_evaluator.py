@@ -230,6 +230,19 @@ def _lookup(value: Any, grid: Any, slope: Any, first: Any) -> Any:
     return result
 
 
+def _lasting(sound: Any, time: Any, step: Any, allowed: Any) -> tuple[Any, Any]:
+    good = sound > 0.5
+    longer = time + step
+    shorter = ca.fmax(0.0, ca.fmin(time, allowed) - step)
+    too_long = ca.if_else(longer <= allowed + 0.5 * step, 0.0, 1.0)
+    return ca.if_else(good, shorter, longer), ca.if_else(good, 0.0, too_long)
+
+
+def _swings(value: Any, limit: Any, side: Any, count: Any, decay: Any) -> tuple[Any, Any]:
+    after = ca.if_else(value > limit, 1.0, ca.if_else(value < -limit, -1.0, side))
+    return after, ca.fmax(0.0, count - decay) + ca.if_else(after == side, 0.0, 1.0)
+
+
 CASADI_KERNELS: dict[str, Any] = {
     "difference": lambda A, B: A - B,
     "rounding_unit": lambda: ca.MX(float(rounding_unit())),
@@ -241,6 +254,10 @@ CASADI_KERNELS: dict[str, Any] = {
     "add_product": _add_product,
     "delay": _delay,
     "guard": _guard,
+    "lasting": _lasting,
+    "share": lambda value: ca.fmin(1.0, ca.fmax(0.0, value)),
+    "still": lambda value, before, time, step: ca.if_else(value == before, time + step, 0.0),
+    "swings": _swings,
     "lookup": _lookup,
     "friction_step": friction_step,
     "backlash_step": backlash_step,

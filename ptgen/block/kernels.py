@@ -26,10 +26,14 @@ __all__ = [
     "discretise",
     "guard",
     "insert",
+    "lasting",
     "lookup",
     "multiply",
     "require_definite",
     "rounding_unit",
+    "share",
+    "still",
+    "swings",
 ]
 
 Array = NDArray[np.float64]
@@ -135,6 +139,40 @@ def lookup(value: Array, grid: Array, slope: Array, first: Array) -> Array:
     return np.asarray(first + (slope[..., :-1] * inside).sum(axis=-1), dtype=np.float64)
 
 
+def lasting(sound: Array, time: Array, step: Array, allowed: Array) -> tuple[Array, Array]:
+    """Return for how long a signal was not sound, and 1 if that is longer than `allowed`, else 0.
+
+    A sound step takes back one that was not, so that a signal that is bad half of the time does not pass. With
+    `allowed` zero the first bad step is too long. Half a step of tolerance keeps rounding out of the count.
+    """
+    good = np.asarray(sound) > 0.5
+    longer = time + step
+    with np.errstate(invalid="ignore"):
+        tolerated = longer <= allowed + 0.5 * step  # false for NaN
+        left = np.minimum(time, allowed) - step
+        shorter = np.where(left > 0.0, left, 0.0)
+    return np.where(good, shorter, longer), np.where(good | tolerated, 0.0, 1.0)
+
+
+def still(value: Array, before: Array, time: Array, step: Array) -> Array:
+    """Return for how long `value` has been the same to the last bit."""
+    return np.where(np.asarray(value) == before, time + step, 0.0)
+
+
+def swings(value: Array, limit: Array, side: Array, count: Array, decay: Array) -> tuple[Array, Array]:
+    """Return the side on which `value` last was beyond `limit` (-1, 0, 1), and the count of changes, less `decay`."""
+    value = np.asarray(value)
+    after = np.where(value > limit, 1.0, np.where(value < -np.asarray(limit), -1.0, side))
+    left = np.asarray(count - decay)
+    return after, np.where(left > 0.0, left, 0.0) + np.where(after == side, 0.0, 1.0)
+
+
+def share(value: Array) -> Array:
+    """Return `value` limited to 0 to 1; 0 for NaN."""
+    value = np.asarray(value)
+    return np.where(value > 0.0, np.where(value < 1.0, value, 1.0), 0.0)
+
+
 def rounding_unit() -> Array:
     """Return the share of a sum of a few numbers that may be rounding: 64 units of the precision."""
     return np.array(ROUNDING * np.finfo(np.float64).eps)
@@ -156,6 +194,10 @@ KERNELS: dict[str, Callable[..., Any]] = {
     "add_product": add_product,
     "delay": delay,
     "guard": guard,
+    "lasting": lasting,
+    "share": share,
+    "still": still,
+    "swings": swings,
     "lookup": lookup,
     "friction_step": friction_step,
     "backlash_step": backlash_step,

@@ -32,8 +32,9 @@ from ptgen.control.envelope import envelope
 from ptgen.control.loss_map import loss_torques
 from ptgen.control.ratios import changing_ratios, ratio_bounds, ratio_inputs
 from ptgen.control.references import pair_bounds, reference_inputs, speed_references
+from ptgen.control.release import release
 from ptgen.control.speed_control import speed_control
-from ptgen.control.supervision import release, supervise
+from ptgen.control.supervision import supervise
 from ptgen.control.switches import follow
 from ptgen.control.torque_control import (
     TorqueFeedback,
@@ -43,6 +44,7 @@ from ptgen.control.torque_control import (
     unread_torque,
 )
 from ptgen.control.tuning import Gains
+from ptgen.control.watching import watch
 from ptgen.control.writer import ControllerWriter
 from ptgen.mechanism.model import Model
 from ptgen.testbed.testbed import Tuning
@@ -83,7 +85,8 @@ def controller_block(
     w.parameter("fault_ramp", "s", "time from a fault to zero torque", tuning.fault_ramp, allowed=False)
     references = reference_inputs(decoupling, tuning)
     w.plausible |= pair_bounds(w) | ratio_bounds(decoupling)
-    measured = supervise(w, [*references.values(), *ratio_inputs(decoupling), *_used_sensors(w)])
+    names = [*references.values(), *ratio_inputs(decoupling), *_used_sensors(w)]
+    measured = supervise(w, names, h)
     w.parameter("load_compensation", "", "switch of the load torque compensation, 0 to 1", 1.0, most=1.0)
     w.parameter("acceleration_torque", "", "switch of the acceleration torque, 0 to 1", 1.0, most=1.0)
     load = follow(w, "load_compensation")
@@ -95,6 +98,7 @@ def controller_block(
         dampings[symbol] = follow(w, symbol.name, "N m s/rad").now
     envelopes = {machine: envelope(w, machine, measured) for machine in range(len(decoupling.machines))}
     ratio_rates = changing_ratios(w, measured)
+    watch(w, names, measured, h)
     losses = loss_torques(w, measured)
     wanted_speeds = speed_references(w, measured)
     net: dict[int, sp.Symbol] = {}
@@ -134,7 +138,6 @@ def controller_block(
         damping = active_damping(w, machine, dampings, measured)
         commands[machine] = torque_command(w, index, machine, feedback[index], wanted, damping, envelopes[machine])
     outputs = release(w, commands, h)
-    w.start_anew_after_faults()
     block = Block(
         name="controller",
         description=f"controller of the bed {decoupling.model.name}",
@@ -145,7 +148,7 @@ def controller_block(
         derived=tuple(w.derived.values()),
         prepare=tuple(w.preparation),
         step=tuple(w.statements),
-        faults=(*w.inputs, *(signal.name for signal in outputs)),
+        faults=tuple(w.faults),
     )
     return ControllerBlock(block, _conventional(decoupling, gains), references)
 
@@ -158,6 +161,7 @@ def _used_sensors(w: ControllerWriter) -> list[str]:
         name
         for k, name in enumerate(design.sensors)
         if name in speeds
+        or any(balance is not None and balance.sensors[k] != 0 for balance in law.balance)
         or any(entry != 0 for entry in law.R[:, k])
         or any(entry != 0 for entry in law.estimate_sensors[:, k])
         or any(loss.speed[k] != 0 for loss in law.known_losses)

@@ -1,83 +1,123 @@
-"""Supervision of the controller: only sound inputs are used, and after a fault the torques go to zero."""
+"""Supervision of the controller's inputs: only sound values are used; the first fault is latched, and reset on request.
+
+Statuses of the controller, by the number k of the input or output, counted from 1:
+
+====== ==========================================================================================
+k      input k was not finite, or larger than plausible, for longer than ``hold_time``
+3000+k input k is frozen, see `ptgen.control.watching`
+4000+k input k, a speed, is beyond ``<M>_overspeed``
+5000+k input k, a speed, disagrees with the torques that act on its rotor
+6000+k input k, a torque, oscillates
+7000+k the command of output k was not finite, or beyond the torque of its machine
+8000+k the command of output k oscillates
+====== ==========================================================================================
+
+Numbers from 1000 to 2999 are those of every block: failed preparation, refused parameters.
+"""
 
 from __future__ import annotations
 
 import sympy as sp
 
-from ptgen.block.block import Call, Signal
-from ptgen.control.plausibility import plausible_speed, plausible_torque
+from ptgen.block.block import Fault, Signal
+from ptgen.control.plausibility import overspeed, plausible
 from ptgen.control.writer import ControllerWriter, signal_symbol
-from ptgen.plant.layout import signal_name
 
-__all__ = ["release", "supervise"]
+__all__ = ["supervise"]
 
+HALF = sp.Rational(1, 2)
 
-def supervise(w: ControllerWriter, names: list[str]) -> dict[str, sp.Symbol]:
-    """Return the supervised value of each input by name, and latch the first fault."""
-    fault = w.state("fault", "", "0, or the number of the input that failed")
-    sound = []
-    result = {}
-    for number, name in enumerate(names, start=1):
-        unit = "rad/s" if "_speed" in name else "N m"
-        text = "reference" if name.endswith("_ref") else "measured"
-        w.inputs[name] = Signal(name, unit, text)
-        bound = w.parameter(f"{name}_plausible", unit, f"largest plausible {name}", _plausible(w, name), allowed=False)
-        w.state(f"{name}_held", unit, f"last sound value of {name}")
-        w.statements.append(
-            Call("guard", (f"{name}_held", f"{name}_sound"), (name, bound.name, f"{name}_held"), "supervision")
-        )
-        sound.append((number, signal_symbol(f"{name}_sound")))
-        result[name] = signal_symbol(f"{name}_held")
-    for number, flag in sound:
-        unseen = sp.And(fault < sp.Rational(1, 2), flag < sp.Rational(1, 2))
-        w.assign("fault", sp.Piecewise((sp.Integer(number), unseen), (fault, True)), "the first fault is latched")
-    return result
+NEVER_SOUND = 1e30
+"""For how long an input was bad that has never been sound (s): there is no value to bridge it with."""
 
 
-def _plausible(w: ControllerWriter, name: str) -> float:
-    if name in w.plausible:
-        return w.plausible[name]
-    for machine in w.design.machines:
-        if name in (f"{machine}_speed_ref", f"{machine}_speed"):
-            return plausible_speed(w.full, machine)
-    signals = {
-        **{signal_name(place) + "_ref": form for place, form in w.full.signals.items()},
-        **w.full.signals,
-    }
-    return plausible_torque(w.full, signals[name])
+def supervise(w: ControllerWriter, names: list[str], h: sp.Symbol) -> dict[str, sp.Symbol]:
+    """Return the supervised value of each input by name, and latch the first fault.
 
-
-def release(w: ControllerWriter, commands: dict[int, sp.Symbol], h: sp.Symbol) -> tuple[Signal, ...]:
-    """Return the outputs: the commands, or after a fault the last ones on their way to zero.
-
-    A command that is not finite, or beyond the machine's torque, is a fault as well: parameters that overflow, or
-    that were changed without being checked, do not reach the machine either.
+    Parameters
+    ----------
+    w : ControllerWriter
+    names : list of str
+        Inputs in their order: references, then measured signals.
+    h : Symbol
+        Step of the controller.
     """
-    fault = signal_symbol("fault")
-    outputs = []
+    w.parameter("hold_time", "s", "bad samples are bridged for that long, and no longer", w.tuning.hold_time)
+    w.state("fault", "", "0, or the status of the first fault", monitor=True)
+    w.state("authority", "", "share of the torques that is released; goes along the ramp", 1.0, monitor=True)
+    w.state("running", "", "1 if the last step ran without a fault, 0 before and after", monitor=True)
+    w.state("refused", "", "1 while the parameters of the last update are refused", monitor=True)
+    causes, sound, measured = [], [], {}
+    for number, name in enumerate(names, start=1):
+        cause, flag = _bridge(w, name, number, h)
+        causes.append(cause)
+        sound.append(flag)
+        measured[name] = signal_symbol(f"{name}_held")
     for machine, name in enumerate(w.design.machines):
-        w.state(f"{name}_last", "N m", f"last torque of {name} before a fault")
-        largest = sp.Float("1.01") * signal_symbol(f"{name}_torque_max")  # a limited command may exceed it by rounding
-        w.assign(f"{name}_largest", largest)
-        w.statements.append(
-            Call(
-                "guard",
-                (f"{name}_released", f"{name}_released_sound"),
-                (commands[machine].name, f"{name}_largest", f"{name}_last"),
-                "only sound torques leave",
-            )
-        )
-        outputs.append(Signal(f"{name}_torque_ref", "N m", f"air-gap torque reference of {name}"))
-    for number, signal in enumerate(outputs, start=len(w.inputs) + 1):
-        sound = signal_symbol(f"{signal.name.removesuffix('_torque_ref')}_released_sound")
-        unseen = sp.And(fault < sp.Rational(1, 2), sound < sp.Rational(1, 2))
-        w.assign("fault", sp.Piecewise((sp.Integer(number), unseen), (fault, True)), "the first fault is latched")
-    authority = w.state("authority", "", "1, going to 0 along the ramp after a fault", 1.0)
-    failed = fault > sp.Rational(1, 2)
-    ramped = sp.Max(0, authority - h / signal_symbol("fault_ramp"))
-    w.assign("authority", sp.Piecewise((ramped, failed), (authority, True)), "ramp to zero torque")
-    for name in w.design.machines:
-        last, released = signal_symbol(f"{name}_last"), signal_symbol(f"{name}_released")
-        w.assign(last.name, sp.Piecewise((last, failed), (released, True)))
-        w.assign(f"{name}_torque_ref", last * authority)
-    return tuple(outputs)
+        sensor = w.speed_sensor(machine)
+        if sensor in measured:
+            cause, flag = _limit_speed(w, name, sensor, names.index(sensor) + 1, h)
+            causes.append(cause)
+            sound.append(flag)
+    _reset(w, sound)
+    w.latch(causes, "cause_of_inputs", "the first fault is latched")
+    return measured
+
+
+def _bridge(w: ControllerWriter, name: str, number: int, h: sp.Symbol) -> tuple[sp.Symbol, sp.Symbol]:
+    """Hold the last sound value of an input; return what it says of a fault, and whether this sample is sound."""
+    unit = "rad/s" if "_speed" in name else "" if name in w.plausible else "N m"
+    text = "reference" if name.endswith("_ref") else "measured"
+    bound = w.plausible[name] if name in w.plausible else plausible(w.full, w.design.machines, name)
+    w.inputs[name] = Signal(name, unit, text)
+    largest = w.parameter(f"{name}_plausible", unit, f"largest plausible {name}", bound, allowed=False)
+    held = w.state(f"{name}_held", unit, f"last sound value of {name}")
+    time = w.state(f"{name}_bad_time", "s", f"for how long {name} was bad", NEVER_SOUND, monitor=True)
+    flag = signal_symbol(f"{name}_sound")
+    w.call("guard", (held.name, flag.name), (name, largest, held), "supervision: bad samples are bridged")
+    w.call("lasting", (time.name, f"{name}_lost"), (flag, time, h, "hold_time"))
+    fault = Fault(number, f"fault_{name}", f"{name}: not finite or not plausible")
+    return w.cause(fault, signal_symbol(f"{name}_lost")), flag
+
+
+def _limit_speed(
+    w: ControllerWriter, machine: str, sensor: str, number: int, h: sp.Symbol
+) -> tuple[sp.Symbol, sp.Symbol]:
+    limit = w.parameter(
+        f"{machine}_overspeed",
+        "rad/s",
+        f"speed of {machine} that is a fault",
+        overspeed(w.full, machine),
+        allowed=False,
+    )
+    time = w.state(f"{machine}_overspeed_time", "s", f"for how long {machine} was too fast", monitor=True)
+    speed = signal_symbol(f"{sensor}_held")
+    flag = w.assign(
+        f"{machine}_slow_enough", sp.Piecewise((sp.Integer(1), sp.Abs(speed) <= limit), (0, True)), "overspeed"
+    )
+    w.call("lasting", (time.name, f"{machine}_too_fast"), (flag, time, h, "hold_time"))
+    fault = Fault(4000 + number, f"fault_{sensor}_overspeed", f"{sensor}: overspeed")
+    return w.cause(fault, signal_symbol(f"{machine}_too_fast")), flag
+
+
+def _reset(w: ControllerWriter, sound: list[sp.Symbol]) -> None:
+    """Take back the latched fault on request: rising edge of `reset`, all inputs sound, and no torque any more.
+
+    A request that comes while the torques are still on their way to zero waits for that.
+    """
+    w.inputs["reset"] = Signal("reset", "", "0 or 1; its rising edge takes back a fault whose cause is gone")
+    before = w.state("reset_before", "", "reset in the step before", 1.0, monitor=True)
+    request = w.state("reset_request", "", "1 while a reset waits for zero torque", monitor=True)
+    fault, refused = signal_symbol("fault"), signal_symbol("refused")
+    text = "reset on request, when the cause is gone"
+    # false for NaN and infinity
+    pressed = sp.Piecewise((sp.Integer(1), sp.Abs(signal_symbol("reset") - 1) <= HALF), (0, True))
+    pressed = w.assign("reset_pressed", pressed, text)
+    clear = w.assign("inputs_sound", sp.Min(*sound), text)
+    latched = w.assign("latched", sp.Piecewise((sp.Integer(1), fault > HALF), (0, True)), text)
+    wanted = sp.Max(pressed - before, request) * clear * latched * (1 - refused)
+    w.assign(request.name, wanted, text)
+    w.assign(before.name, pressed, text)
+    accepted = sp.Piecewise((request, signal_symbol("authority") <= 0), (0, True))
+    w.assign(fault.name, fault * (1 - accepted), text)
+    w.assign(request.name, sp.Piecewise((request, fault > HALF), (0, True)), text)

@@ -55,8 +55,10 @@ def follow(w: ControllerWriter, name: str, unit: str = "") -> Switch:
     least = RESOLUTION * (sp.Abs(value) + sp.Abs(before))  # less would be lost in rounding, and never arrive
     wanted = sp.Max(sp.Abs(distance) * share, least)
     moved = w.assign(f"{name}_moved", sp.Piecewise((wanted, sp.Ne(value, target)), (step, True)))
-    landed = sp.Abs(distance) <= moved
-    w.assign(now.name, sp.Piecewise((value, landed), (before + moved, distance > 0), (before - moved, True)))
-    w.assign(step.name, sp.Piecewise((sp.Integer(0), landed), (moved, True)))
+    # In this order a step that is not a number lands at once, so that none is left after a fault.
+    w.assign(
+        now.name, sp.Piecewise((before + moved, distance > moved), (before - moved, -distance > moved), (value, True))
+    )
+    w.assign(step.name, sp.Piecewise((moved, sp.Abs(distance) > moved), (sp.Integer(0), True)))
     w.assign(target.name, value)
     return Switch(now, before)

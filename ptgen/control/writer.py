@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 
 import sympy as sp
 
-from ptgen.block.block import Assign, Signal, Statement
+from ptgen.block.block import Assign, Call, Fault, Signal, Statement
 from ptgen.control.decoupling import Decoupling
 from ptgen.control.tuning import Gains
 from ptgen.elements import SensorKind
@@ -21,6 +21,10 @@ def signal_symbol(name: str) -> sp.Symbol:
     return sp.Symbol(name, real=True)
 
 
+_SOUND = 9999
+"""Greater than every status: no cause."""
+
+
 class ControllerWriter:
     """The block in the making, and the design that it is made from.
 
@@ -31,7 +35,17 @@ class ControllerWriter:
     tuning : Tuning
     full : Model
         The full model; it tells what is plausible.
+
+    Attributes
+    ----------
+    running : Symbol
+        1 if the last step ended without a latched fault, else 0: in the first step, and while a fault is latched, up
+        to and including the step in which it is reset. See `previous`.
+    faults : list of Fault
+        Every cause for which the block stops.
     """
+
+    running = signal_symbol("running")
 
     def __init__(self, design: Decoupling, gains: Gains, tuning: Tuning, full: Model) -> None:
         self.design = design
@@ -42,6 +56,7 @@ class ControllerWriter:
         self.states: dict[str, Signal] = {}
         self.inputs: dict[str, Signal] = {}
         self.statements: list[Statement] = []
+        self.faults: list[Fault] = []
         self.derived: dict[str, Signal] = {}
         self.preparation: list[Statement] = []
         self.plausible: dict[str, float] = {}
@@ -89,10 +104,35 @@ class ControllerWriter:
                 table[symbol] = signal_symbol(symbol.name)
         return expression.subs(table)
 
-    def state(self, name: str, unit: str, text: str, value: float = 0.0) -> sp.Symbol:
-        """Declare a state and return its symbol."""
-        self.states[name] = Signal(name, unit, text, value=value)
+    def state(self, name: str, unit: str, text: str, value: float = 0.0, *, monitor: bool = False) -> sp.Symbol:
+        """Declare a state and return its symbol; `monitor` as in `ptgen.block.block.Signal`."""
+        self.states[name] = Signal(name, unit, text, value=value, monitor=monitor)
         return signal_symbol(name)
+
+    def cause(self, fault: Fault, excess: sp.Expr) -> sp.Symbol:
+        """Declare a fault that is present where `excess` is positive, and return the symbol of its status.
+
+        The symbol stands for a number greater than every status while there is no fault.
+        """
+        self.faults.append(fault)
+        number = sp.Piecewise((sp.Integer(fault.status), excess > 0), (sp.Integer(_SOUND), True))
+        return self.assign(f"cause_{fault.name}", number)
+
+    def latch(self, causes: list[sp.Symbol], name: str, source: str) -> sp.Symbol:
+        """Latch the cause with the lowest status, unless one is latched already."""
+        if not causes:
+            return signal_symbol("fault")
+        first = self.assign(name, sp.Min(*causes), source)
+        fault = signal_symbol("fault")
+        none = sp.Piecewise((sp.Integer(0), first > _SOUND - 1), (first, True))
+        return self.assign("fault", sp.Piecewise((fault, fault > sp.Rational(1, 2)), (none, True)))
+
+    def call(
+        self, kernel: str, outputs: tuple[str, ...], inputs: tuple[str | sp.Symbol, ...], source: str = ""
+    ) -> None:
+        """Add the call of a kernel; its inputs are signals."""
+        names = tuple(item if isinstance(item, str) else item.name for item in inputs)
+        self.statements.append(Call(kernel, outputs, names, source))
 
     def assign(self, target: str, expression: sp.Expr, source: str = "") -> sp.Symbol:
         """Add an assignment and return its target."""
@@ -158,14 +198,5 @@ class ControllerWriter:
     # -- the first step, and the first one after a fault
 
     def previous(self, state: sp.Symbol, start: sp.Expr) -> sp.Expr:
-        """Return a state as the last step left it, or `start` if there was no such step."""
-        running = self.state("running", "", "1 once a step was done without a fault")
-        return sp.Piecewise((state, running > sp.Rational(1, 2)), (start, True))
-
-    def start_anew_after_faults(self) -> None:
-        """Let the next step start anew if this one ends with a fault."""
-        running = self.state("running", "", "1 once a step was done without a fault")
-        sound = signal_symbol("fault") < sp.Rational(1, 2)
-        self.assign(
-            running.name, sp.Piecewise((sp.Integer(1), sound), (sp.Integer(0), True)), "start anew after a fault"
-        )
+        """Return a state as the last step left it, or `start` if that step did not run, see `running`."""
+        return sp.Piecewise((state, self.running > sp.Rational(1, 2)), (start, True))

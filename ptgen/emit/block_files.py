@@ -31,6 +31,7 @@ def common_context(prefix: str, bed_file: str, digest: str, precision: Precision
         "precision": precision,
         "zero": literal(0.0, precision),
         "one": literal(1.0, precision),
+        "half": literal(0.5, precision),
         "taylor_degree": TAYLOR_DEGREE,
         "deficient_limit": DEFICIENT,
         "rounding": ROUNDING,

@@ -86,9 +86,12 @@ class CExpressions(C99CodePrinter):  # type: ignore[misc]
 
     def _fold(self, function: str, arguments: Any) -> str:
         texts = [self._print(argument) for argument in arguments]
+        while len(texts) > 1:  # in pairs: a chain would wait for each of its links
+            pairs = [
+                f"{self._prefix_name}_{function}({', '.join(texts[k : k + 2])})" for k in range(0, len(texts) - 1, 2)
+            ]
+            texts = pairs + texts[2 * len(pairs) :]
         result: str = texts[0]
-        for text in texts[1:]:
-            result = f"{self._prefix_name}_{function}({result}, {text})"
         return result
 
     def _print_Min(self, expr: Any) -> str:
@@ -115,5 +118,5 @@ class CExpressions(C99CodePrinter):  # type: ignore[misc]
     def _print_Piecewise(self, expr: Any) -> str:
         text: str = self._print(expr.args[-1][0])
         for branch, condition in reversed(expr.args[:-1]):
-            text = f"(({self._print(condition)}) ? {self._print(branch)} : {text})"
+            text = f"{self._prefix_name}_select({self._print(condition)}, {self._print(branch)}, {text})"
         return text

@@ -50,6 +50,12 @@ class Tuning(Record):
         Annotated[float, Quantity("rad/s", "bandwidth of the torque control in the conventional controller")] | None
     ) = None
     fault_ramp: Annotated[float, Quantity("s", "time in which the torque is taken to zero after a fault")] = 0.05
+    hold_time: Annotated[
+        float, Quantity("s", "time for which bad samples are bridged before it is a fault", positive=False)
+    ] = 0.001
+    frozen_time: Annotated[
+        float, Quantity("s", "time for which a frozen signal stays the same before it can be a fault")
+    ] = 0.01
     inertia_estimate: dict[str, Annotated[float, Quantity("kg m^2", "inertia used for the acceleration torque")]] = (
         Field(default_factory=dict)
     )

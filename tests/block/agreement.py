@@ -46,11 +46,8 @@ def random_batch(block: Block, size: int, seed: int) -> Batch:
         scale = np.array([_magnitude(signal, entry) for entry in entries])
         value = rng.normal(size=(size, signal.size)) * scale
         states[signal.name] = value.reshape((size, *signal.shape))
-    if "fault" in states:  # mostly sound, sometimes latched
-        states["fault"] = np.where(rng.random(size) < 0.1, rng.integers(1, len(block.faults) + 1, size), 0).astype(
-            float
-        )
-        states["authority"] = rng.random(size)
+    if "fault" in states:
+        states |= _supervision(block, size, rng)
     inputs = {s.name: rng.normal(size=size) * _magnitude(s, "") for s in block.inputs}
     inputs |= {s.name: rng.uniform(s.least, s.most, size) for s in block.inputs if s.most is not None}
     if "fault" in states:  # some inputs are implausible
@@ -60,6 +57,30 @@ def random_batch(block: Block, size: int, seed: int) -> Batch:
     if "x" in states:
         states["x"][: size // 2] *= 10.0 ** rng.uniform(-6, 0, size=(size // 2, 1))
     return Batch(states, inputs)
+
+
+def _supervision(block: Block, size: int, rng: np.random.Generator) -> Values:
+    """Return states of supervision: mostly sound, sometimes latched, some about to be."""
+    latched = rng.random(size) < 0.3
+    statuses = np.array([fault.status for fault in block.faults], dtype=float)
+    values = {
+        "fault": np.where(latched, rng.choice(statuses, size), 0.0),
+        "authority": np.where(rng.random(size) < 0.5, rng.integers(0, 2, size), rng.random(size)),
+    }
+    for signal in block.states:
+        if not signal.monitor or signal.name in values:
+            continue
+        if signal.unit == "s":
+            values[signal.name] = np.where(rng.random(size) < 0.7, 0.0, rng.uniform(0.0, 0.02, size))
+        elif signal.name.endswith("_side"):
+            values[signal.name] = rng.integers(-1, 2, size).astype(float)
+        elif signal.name.endswith("_swings"):
+            values[signal.name] = np.where(rng.random(size) < 0.8, 0.0, rng.uniform(0.0, 7.0, size))
+        elif signal.name.endswith("_integrated"):
+            values[signal.name] = rng.normal(size=size) * 100.0
+        elif not signal.unit:  # flags
+            values[signal.name] = rng.integers(0, 2, size).astype(float)
+    return values
 
 
 def random_parameters(block: Block, seed: int) -> Values:

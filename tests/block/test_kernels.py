@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from ptgen.block.casadi_evaluator import CASADI_KERNELS
-from ptgen.block.kernels import KERNELS, delay, discretise, guard, lookup
+from ptgen.block.kernels import KERNELS, delay, discretise, guard, lasting, lookup, share, still, swings
 from ptgen.emit.block_files import common_context
 from ptgen.emit.c_block import CBlock
 from ptgen.emit.friction_source import friction_context
@@ -57,6 +57,41 @@ def test_guard_lets_only_plausible_values_through(value: float, bound: float, he
         assert got == value and sound == 1.0
     else:
         assert got == held and sound == 0.0
+
+
+@given(st.lists(st.booleans(), max_size=60), st.integers(0, 8))
+def test_lasting_counts_bad_steps_less_good_ones(flags: list[bool], allowed: int) -> None:
+    time, count = np.array(0.0), 0
+    for flag in flags:
+        time, late = lasting(np.array(float(flag)), time, np.array(0.1), np.array(0.1 * allowed))
+        count = count + 1 if not flag else max(min(count, allowed) - 1, 0)
+        assert time == pytest.approx(0.1 * count)
+        assert bool(late) == (not flag and count > allowed)
+
+
+@given(st.lists(st.sampled_from([0.0, 1.0, -1.0, 5e-324]), min_size=2, max_size=40))
+def test_still_counts_steps_without_any_change(values: list[float]) -> None:
+    time = np.array(0.0)
+    for k in range(1, len(values)):
+        time = still(np.array(values[k]), np.array(values[k - 1]), time, np.array(1.0))
+        run = next((n for n in range(k + 1) if values[k - n] != values[k]), k + 1) - 1
+        assert time == run
+
+
+@given(st.lists(st.floats(-3.0, 3.0), max_size=60))
+def test_swings_are_the_changes_of_side(values: list[float]) -> None:
+    side, count = np.array(0.0), np.array(0.0)
+    for value in values:
+        side, count = swings(np.array(value), np.array(1.0), side, count, np.array(0.0))
+    sides = [np.sign(value) for value in values if abs(value) > 1.0]
+    assert count == sum(1 for a, b in zip([0.0, *sides], sides, strict=False) if a != b)
+    assert swings(np.array(0.0), np.array(1.0), side, count, np.array(1e9))[1] == 0.0
+
+
+@given(st.floats(allow_nan=True, allow_infinity=True))
+def test_share_lies_between_zero_and_one(value: float) -> None:
+    limited = share(np.array(value))
+    assert limited == (value if 0.0 <= value <= 1.0 else 1.0 if value > 1.0 else 0.0)
 
 
 def test_block_refuses_names_used_before_assignment(projects: dict[str, Project]) -> None:
