@@ -830,12 +830,12 @@ all_wheel_drive_plant_status all_wheel_drive_plant_step(all_wheel_drive_plant_st
     /* x+ = x_free + Gamma_f T */
     all_wheel_drive_add_product(33, 6, s->x, x_free, &s->gamma[0][0], mean_torque);
     /* exactly zero while it sticks */
-    s->x[0] = ((p->standstill_speed > all_wheel_drive_abs(w_plus[0])) ? 0.0 : w_plus[0]);
-    s->x[1] = ((p->standstill_speed > all_wheel_drive_abs(w_plus[1])) ? 0.0 : w_plus[1]);
-    s->x[2] = ((p->standstill_speed > all_wheel_drive_abs(w_plus[2])) ? 0.0 : w_plus[2]);
-    s->x[3] = ((p->standstill_speed > all_wheel_drive_abs(w_plus[3])) ? 0.0 : w_plus[3]);
-    s->x[4] = ((p->standstill_speed > all_wheel_drive_abs(w_plus[4])) ? 0.0 : w_plus[4]);
-    s->x[5] = ((p->standstill_speed > all_wheel_drive_abs(w_plus[5])) ? 0.0 : w_plus[5]);
+    s->x[0] = all_wheel_drive_select(p->standstill_speed > all_wheel_drive_abs(w_plus[0]), 0.0, w_plus[0]);
+    s->x[1] = all_wheel_drive_select(p->standstill_speed > all_wheel_drive_abs(w_plus[1]), 0.0, w_plus[1]);
+    s->x[2] = all_wheel_drive_select(p->standstill_speed > all_wheel_drive_abs(w_plus[2]), 0.0, w_plus[2]);
+    s->x[3] = all_wheel_drive_select(p->standstill_speed > all_wheel_drive_abs(w_plus[3]), 0.0, w_plus[3]);
+    s->x[4] = all_wheel_drive_select(p->standstill_speed > all_wheel_drive_abs(w_plus[4]), 0.0, w_plus[4]);
+    s->x[5] = all_wheel_drive_select(p->standstill_speed > all_wheel_drive_abs(w_plus[5]), 0.0, w_plus[5]);
     all_wheel_drive_plant_measure(s, p, out);
     if (s->friction_status == ALL_WHEEL_DRIVE_REAL(-1)) {
         return all_wheel_drive_plant_friction_unsolved;

@@ -68,6 +68,7 @@ int all_wheel_drive_run_init(all_wheel_drive_run *run)
 {
     run->step = 0;
     memset(&run->driven, 0, sizeof run->driven);
+    memset(&run->inputs, 0, sizeof run->inputs);
     for (int k = 0; k < all_wheel_drive_profile_count; ++k) {
         run->cursor[k] = 0;
     }

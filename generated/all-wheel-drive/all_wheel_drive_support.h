@@ -18,7 +18,12 @@ typedef double all_wheel_drive_real;
 
 static inline all_wheel_drive_real all_wheel_drive_min(all_wheel_drive_real a, all_wheel_drive_real b) { return a < b ? a : b; }
 static inline all_wheel_drive_real all_wheel_drive_max(all_wheel_drive_real a, all_wheel_drive_real b) { return a > b ? a : b; }
-static inline all_wheel_drive_real all_wheel_drive_abs(all_wheel_drive_real a) { return a < 0.0 ? -a : a; }
+static inline all_wheel_drive_real all_wheel_drive_abs(all_wheel_drive_real a) { return all_wheel_drive_max(-a, a); }
+/* Both are computed before, so that a step takes nearly the same time whichever is chosen. */
+static inline all_wheel_drive_real all_wheel_drive_select(int condition, all_wheel_drive_real a, all_wheel_drive_real b)
+{
+    return condition ? a : b;
+}
 static inline all_wheel_drive_real all_wheel_drive_sign(all_wheel_drive_real a)
 {
     return a > 0.0 ? 1.0 : (a < 0.0 ? -1.0 : 0.0);
@@ -138,8 +143,44 @@ static inline void all_wheel_drive_guard(all_wheel_drive_real value, all_wheel_d
     all_wheel_drive_real *sound)
 {
     const int good = all_wheel_drive_abs(value) <= bound; /* false for NaN */
-    *held = good ? value : before;
-    *sound = good ? 1.0 : 0.0;
+    *held = all_wheel_drive_select(good, value, before);
+    *sound = (all_wheel_drive_real)good;
+}
+
+/* For how long a signal was not sound: a sound step takes back a bad one. `late` is 1 if that is longer than allowed. */
+static inline void all_wheel_drive_lasting(all_wheel_drive_real sound, all_wheel_drive_real time, all_wheel_drive_real step, all_wheel_drive_real allowed,
+    all_wheel_drive_real *after, all_wheel_drive_real *late)
+{
+    const all_wheel_drive_real longer = time + step;
+    const all_wheel_drive_real left = all_wheel_drive_min(time, allowed) - step;
+    const int good = sound > 0.5;
+    const int over = !(longer <= allowed + 0.5 * step); /* 1 for NaN */
+    *after = all_wheel_drive_select(good, all_wheel_drive_max(left, 0.0), longer);
+    *late = (all_wheel_drive_real)(over & !good);
+}
+
+/* For how long `value` has been the same to the last bit. */
+static inline void all_wheel_drive_still(all_wheel_drive_real value, all_wheel_drive_real before, all_wheel_drive_real time, all_wheel_drive_real step,
+    all_wheel_drive_real *after)
+{
+    *after = all_wheel_drive_select(all_wheel_drive_abs(value - before) <= 0.0, time + step, 0.0);
+}
+
+/* The side on which `value` last was beyond `limit` (-1, 0, 1), and the count of changes, less `decay`. */
+static inline void all_wheel_drive_swings(all_wheel_drive_real value, all_wheel_drive_real limit, all_wheel_drive_real side, all_wheel_drive_real count,
+    all_wheel_drive_real decay, all_wheel_drive_real *after, all_wheel_drive_real *swings)
+{
+    const all_wheel_drive_real above = all_wheel_drive_select(value > limit, 1.0, side);
+    const all_wheel_drive_real now = all_wheel_drive_select(value < -limit, -1.0, above);
+    const int changed = all_wheel_drive_abs(now - side) > 0.0;
+    *after = now;
+    *swings = all_wheel_drive_max(count - decay, 0.0) + (all_wheel_drive_real)changed;
+}
+
+/* `value` limited to 0 to 1; 0 for NaN. */
+static inline void all_wheel_drive_share(all_wheel_drive_real value, all_wheel_drive_real *limited)
+{
+    *limited = all_wheel_drive_min(all_wheel_drive_max(value, 0.0), 1.0);
 }
 
 /*

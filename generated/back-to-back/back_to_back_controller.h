@@ -13,12 +13,28 @@
 typedef struct {
     back_to_back_real sample_time; /* step of the controller (s) */
     back_to_back_real fault_ramp; /* time from a fault to zero torque (s) */
+    back_to_back_real hold_time; /* bad samples are bridged for that long, and no longer (s) */
     back_to_back_real flange1_torque_ref_plausible; /* largest plausible flange1_torque_ref (N m) */
     back_to_back_real M2_speed_ref_plausible; /* largest plausible M2_speed_ref (rad/s) */
     back_to_back_real M1_speed_plausible; /* largest plausible M1_speed (rad/s) */
     back_to_back_real flange1_torque_plausible; /* largest plausible flange1_torque (N m) */
     back_to_back_real flange2_torque_plausible; /* largest plausible flange2_torque (N m) */
     back_to_back_real M2_speed_plausible; /* largest plausible M2_speed (rad/s) */
+    back_to_back_real M1_overspeed; /* speed of M1 that is a fault (rad/s) */
+    back_to_back_real M2_overspeed; /* speed of M2 that is a fault (rad/s) */
+    back_to_back_real disagreement_leak; /* rate at which the integrated speeds forget (1/s) */
+    back_to_back_real M1_inertia; /* moment of inertia of the rotor (kg m^2) */
+    back_to_back_real M1_disagreement_limit; /* largest difference between measured and integrated speed of M1 (rad/s) */
+    back_to_back_real M1_frozen_limit; /* the same while a signal of M1 stays the same to the last bit (rad/s) */
+    back_to_back_real frozen_time; /* for how long a frozen signal stays the same (s) */
+    back_to_back_real M2_inertia; /* moment of inertia of the rotor (kg m^2) */
+    back_to_back_real M2_disagreement_limit; /* largest difference between measured and integrated speed of M2 (rad/s) */
+    back_to_back_real M2_frozen_limit; /* the same while a signal of M2 stays the same to the last bit (rad/s) */
+    back_to_back_real oscillation_frequency; /* slowest oscillation of a torque that is watched (Hz) */
+    back_to_back_real flange1_torque_oscillation_limit; /* amplitude with which flange1_torque may oscillate (N m) */
+    back_to_back_real flange2_torque_oscillation_limit; /* amplitude with which flange2_torque may oscillate (N m) */
+    back_to_back_real M1_torque_ref_oscillation_limit; /* amplitude with which M1_torque_ref may oscillate (N m) */
+    back_to_back_real M2_torque_ref_oscillation_limit; /* amplitude with which M2_torque_ref may oscillate (N m) */
     back_to_back_real load_compensation; /* switch of the load torque compensation, 0 to 1 */
     back_to_back_real acceleration_torque; /* switch of the acceleration torque, 0 to 1 */
     back_to_back_real switch_time; /* time in which a switch or a damping follows its parameter (s) */
@@ -35,7 +51,6 @@ typedef struct {
     back_to_back_real M2_speed_gain; /* proportional gain of the speed of M2 (N m s/rad) */
     back_to_back_real M2_speed_integral_gain; /* integral gain of the speed of M2 (N m/rad) */
     back_to_back_real M1_sensor_inertia_M2; /* torque of M1 that its sensors miss, per acceleration of M2 (kg m^2) */
-    back_to_back_real M2_inertia; /* moment of inertia of the rotor (kg m^2) */
     back_to_back_real M1_inertia_estimate; /* inertia that M1 accelerates (5.78) (kg m^2) */
     back_to_back_real M1_feedforward; /* share of the torque reference fed forward to M1 */
     back_to_back_real M1_torque_gain; /* proportional gain of the torque control of M1, above -1 (5.115a) */
@@ -56,6 +71,7 @@ typedef struct {
     back_to_back_real flange1_torque; /* measured (N m) */
     back_to_back_real flange2_torque; /* measured (N m) */
     back_to_back_real M2_speed; /* measured (rad/s) */
+    back_to_back_real reset; /* 0 or 1; its rising edge takes back a fault whose cause is gone */
 } back_to_back_controller_inputs;
 
 /* Outputs of a step; torques are positive when they drive the right-hand neighbour. */
@@ -66,17 +82,55 @@ typedef struct {
 
 /* States first, then what follows from the parameters. Matrices are stored by columns. */
 typedef struct {
-    back_to_back_real fault; /* 0, or the number of the input that failed */
+    back_to_back_real fault; /* 0, or the status of the first fault */
+    back_to_back_real authority; /* share of the torques that is released; goes along the ramp */
+    back_to_back_real running; /* 1 if the last step ran without a fault, 0 before and after */
+    back_to_back_real refused; /* 1 while the parameters of the last update are refused */
     back_to_back_real flange1_torque_ref_held; /* last sound value of flange1_torque_ref (N m) */
+    back_to_back_real flange1_torque_ref_bad_time; /* for how long flange1_torque_ref was bad (s) */
     back_to_back_real M2_speed_ref_held; /* last sound value of M2_speed_ref (rad/s) */
+    back_to_back_real M2_speed_ref_bad_time; /* for how long M2_speed_ref was bad (s) */
     back_to_back_real M1_speed_held; /* last sound value of M1_speed (rad/s) */
+    back_to_back_real M1_speed_bad_time; /* for how long M1_speed was bad (s) */
     back_to_back_real flange1_torque_held; /* last sound value of flange1_torque (N m) */
+    back_to_back_real flange1_torque_bad_time; /* for how long flange1_torque was bad (s) */
     back_to_back_real flange2_torque_held; /* last sound value of flange2_torque (N m) */
+    back_to_back_real flange2_torque_bad_time; /* for how long flange2_torque was bad (s) */
     back_to_back_real M2_speed_held; /* last sound value of M2_speed (rad/s) */
+    back_to_back_real M2_speed_bad_time; /* for how long M2_speed was bad (s) */
+    back_to_back_real M1_overspeed_time; /* for how long M1 was too fast (s) */
+    back_to_back_real M2_overspeed_time; /* for how long M2 was too fast (s) */
+    back_to_back_real reset_before; /* reset in the step before */
+    back_to_back_real reset_request; /* 1 while a reset waits for zero torque */
+    back_to_back_real M1_integrated; /* speed of M1 from the torques (rad/s) */
+    back_to_back_real M1_disagreement_time; /* for how long the speed of M1 disagreed (s) */
+    back_to_back_real M1_speed_before; /* M1_speed in the step before (rad/s) */
+    back_to_back_real M1_speed_still_time; /* for how long M1_speed has been the same (s) */
+    back_to_back_real flange1_torque_before; /* flange1_torque in the step before (N m) */
+    back_to_back_real flange1_torque_still_time; /* for how long flange1_torque has been the same (s) */
+    back_to_back_real flange1_torque_command; /* command to M1 when flange1_torque last changed (N m) */
+    back_to_back_real M2_integrated; /* speed of M2 from the torques (rad/s) */
+    back_to_back_real M2_disagreement_time; /* for how long the speed of M2 disagreed (s) */
+    back_to_back_real M2_speed_before; /* M2_speed in the step before (rad/s) */
+    back_to_back_real M2_speed_still_time; /* for how long M2_speed has been the same (s) */
+    back_to_back_real flange2_torque_before; /* flange2_torque in the step before (N m) */
+    back_to_back_real flange2_torque_still_time; /* for how long flange2_torque has been the same (s) */
+    back_to_back_real flange2_torque_command; /* command to M2 when flange2_torque last changed (N m) */
+    back_to_back_real flange1_torque_mean; /* flange1_torque without its oscillation (N m) */
+    back_to_back_real flange1_torque_side; /* side on which flange1_torque last was beyond the limit */
+    back_to_back_real flange1_torque_swings; /* half swings of flange1_torque, forgotten in time */
+    back_to_back_real flange2_torque_mean; /* flange2_torque without its oscillation (N m) */
+    back_to_back_real flange2_torque_side; /* side on which flange2_torque last was beyond the limit */
+    back_to_back_real flange2_torque_swings; /* half swings of flange2_torque, forgotten in time */
+    back_to_back_real M1_torque_ref_mean; /* M1_torque_ref without its oscillation (N m) */
+    back_to_back_real M1_torque_ref_side; /* side on which M1_torque_ref last was beyond the limit */
+    back_to_back_real M1_torque_ref_swings; /* half swings of M1_torque_ref, forgotten in time */
+    back_to_back_real M2_torque_ref_mean; /* M2_torque_ref without its oscillation (N m) */
+    back_to_back_real M2_torque_ref_side; /* side on which M2_torque_ref last was beyond the limit */
+    back_to_back_real M2_torque_ref_swings; /* half swings of M2_torque_ref, forgotten in time */
     back_to_back_real load_compensation_now; /* load_compensation on its way to the parameter */
     back_to_back_real load_compensation_target; /* load_compensation as the last step found it */
     back_to_back_real load_compensation_step; /* how far load_compensation moves in a step */
-    back_to_back_real running; /* 1 once a step was done without a fault */
     back_to_back_real acceleration_torque_now; /* acceleration_torque on its way to the parameter */
     back_to_back_real acceleration_torque_target; /* acceleration_torque as the last step found it */
     back_to_back_real acceleration_torque_step; /* how far acceleration_torque moves in a step */
@@ -91,7 +145,13 @@ typedef struct {
     back_to_back_real M1_torque_integral; /* integrator of the torque control of M1 (N m) */
     back_to_back_real M1_last; /* last torque of M1 before a fault (N m) */
     back_to_back_real M2_last; /* last torque of M2 before a fault (N m) */
-    back_to_back_real authority; /* 1, going to 0 along the ramp after a fault */
+    back_to_back_real disagreement_share; /* share of the difference that is forgotten per step */
+    back_to_back_real M1_per_step; /* change of speed of M1 per torque in a step (rad/s/(N m)) */
+    back_to_back_real M1_balance_share; /* share of the torque of M1 on its rotor */
+    back_to_back_real M1_balance_flange1_torque; /* coefficient of flange1_torque */
+    back_to_back_real M2_per_step; /* change of speed of M2 per torque in a step (rad/s/(N m)) */
+    back_to_back_real forgotten_swings; /* half swings that are forgotten per step */
+    back_to_back_real mean_share; /* share of a step in the mean of a torque */
     back_to_back_real switch_share; /* share of a change per step */
     back_to_back_real M1_taper_slope; /* share of the torque of M1 per excess of speed (s/rad) */
     back_to_back_real M1_taper_end; /* share at standstill if it were not limited */
@@ -106,53 +166,83 @@ typedef struct {
     back_to_back_real M1_model_drag; /* decay of that rate in a step */
     back_to_back_real M1_with_M2; /* coefficient of the virtual input of M2 */
     back_to_back_real M1_torque_growth; /* growth of the integrator per error */
+    back_to_back_real M1_largest; /* torque of M1 that is a fault (N m) */
+    back_to_back_real M2_largest; /* torque of M2 that is a fault (N m) */
+    back_to_back_real ramp_step; /* change of the released share per step */
 } back_to_back_controller_state;
 
 typedef enum {
     back_to_back_controller_ok = 0,
-    back_to_back_controller_fault_flange1_torque_ref = 1, /* flange1_torque_ref was not finite or not plausible */
-    back_to_back_controller_fault_M2_speed_ref = 2, /* M2_speed_ref was not finite or not plausible */
-    back_to_back_controller_fault_M1_speed = 3, /* M1_speed was not finite or not plausible */
-    back_to_back_controller_fault_flange1_torque = 4, /* flange1_torque was not finite or not plausible */
-    back_to_back_controller_fault_flange2_torque = 5, /* flange2_torque was not finite or not plausible */
-    back_to_back_controller_fault_M2_speed = 6, /* M2_speed was not finite or not plausible */
-    back_to_back_controller_fault_M1_torque_ref = 7, /* M1_torque_ref was not finite or not plausible */
-    back_to_back_controller_fault_M2_torque_ref = 8, /* M2_torque_ref was not finite or not plausible */
+    back_to_back_controller_fault_flange1_torque_ref = 1, /* flange1_torque_ref: not finite or not plausible */
+    back_to_back_controller_fault_M2_speed_ref = 2, /* M2_speed_ref: not finite or not plausible */
+    back_to_back_controller_fault_M1_speed = 3, /* M1_speed: not finite or not plausible */
+    back_to_back_controller_fault_flange1_torque = 4, /* flange1_torque: not finite or not plausible */
+    back_to_back_controller_fault_flange2_torque = 5, /* flange2_torque: not finite or not plausible */
+    back_to_back_controller_fault_M2_speed = 6, /* M2_speed: not finite or not plausible */
+    back_to_back_controller_fault_M1_speed_overspeed = 4003, /* M1_speed: overspeed */
+    back_to_back_controller_fault_M2_speed_overspeed = 4006, /* M2_speed: overspeed */
+    back_to_back_controller_fault_M1_speed_frozen = 3003, /* M1_speed: frozen while the torques accelerate the machine */
+    back_to_back_controller_fault_M1_speed_disagreement = 5003, /* M1_speed: disagrees with the integrated torque */
+    back_to_back_controller_fault_flange1_torque_frozen = 3004, /* flange1_torque: frozen while the torque of the machine changes */
+    back_to_back_controller_fault_M2_speed_frozen = 3006, /* M2_speed: frozen while the torques accelerate the machine */
+    back_to_back_controller_fault_M2_speed_disagreement = 5006, /* M2_speed: disagrees with the integrated torque */
+    back_to_back_controller_fault_flange2_torque_frozen = 3005, /* flange2_torque: frozen while the torque of the machine changes */
+    back_to_back_controller_fault_flange1_torque_oscillation = 6004, /* flange1_torque: oscillates beyond its limit */
+    back_to_back_controller_fault_flange2_torque_oscillation = 6005, /* flange2_torque: oscillates beyond its limit */
+    back_to_back_controller_fault_M1_torque_ref_oscillation = 8001, /* M1_torque_ref: the command oscillates */
+    back_to_back_controller_fault_M2_torque_ref_oscillation = 8002, /* M2_torque_ref: the command oscillates */
+    back_to_back_controller_fault_M1_torque_ref = 7001, /* M1_torque_ref: the command is not finite, or beyond the torque of the machine */
+    back_to_back_controller_fault_M2_torque_ref = 7002, /* M2_torque_ref: the command is not finite, or beyond the torque of the machine */
     back_to_back_controller_bad_sample_time = 2000, /* outside its range */
     back_to_back_controller_bad_fault_ramp = 2001, /* outside its range */
-    back_to_back_controller_bad_flange1_torque_ref_plausible = 2002, /* outside its range */
-    back_to_back_controller_bad_M2_speed_ref_plausible = 2003, /* outside its range */
-    back_to_back_controller_bad_M1_speed_plausible = 2004, /* outside its range */
-    back_to_back_controller_bad_flange1_torque_plausible = 2005, /* outside its range */
-    back_to_back_controller_bad_flange2_torque_plausible = 2006, /* outside its range */
-    back_to_back_controller_bad_M2_speed_plausible = 2007, /* outside its range */
-    back_to_back_controller_bad_load_compensation = 2008, /* outside its range */
-    back_to_back_controller_bad_acceleration_torque = 2009, /* outside its range */
-    back_to_back_controller_bad_switch_time = 2010, /* outside its range */
-    back_to_back_controller_bad_M1_damping = 2011, /* outside its range */
-    back_to_back_controller_bad_M1_speed_rated = 2012, /* outside its range */
-    back_to_back_controller_bad_M1_speed_max = 2013, /* outside its range */
-    back_to_back_controller_bad_M1_speed_taper = 2014, /* outside its range */
-    back_to_back_controller_bad_M1_torque_max = 2015, /* outside its range */
-    back_to_back_controller_bad_M2_speed_rated = 2016, /* outside its range */
-    back_to_back_controller_bad_M2_speed_max = 2017, /* outside its range */
-    back_to_back_controller_bad_M2_speed_taper = 2018, /* outside its range */
-    back_to_back_controller_bad_M2_torque_max = 2019, /* outside its range */
-    back_to_back_controller_bad_M2_speed_ref_rate = 2020, /* outside its range */
-    back_to_back_controller_bad_M2_speed_gain = 2021, /* outside its range */
-    back_to_back_controller_bad_M2_speed_integral_gain = 2022, /* outside its range */
-    back_to_back_controller_bad_M1_sensor_inertia_M2 = 2023, /* outside its range */
-    back_to_back_controller_bad_M2_inertia = 2024, /* outside its range */
-    back_to_back_controller_bad_M1_inertia_estimate = 2025, /* outside its range */
-    back_to_back_controller_bad_M1_feedforward = 2026, /* outside its range */
-    back_to_back_controller_bad_M1_torque_gain = 2027, /* outside its range */
-    back_to_back_controller_bad_flange1_torque_ref_rate = 2028, /* outside its range */
-    back_to_back_controller_bad_M1_model_stiffness = 2029, /* outside its range */
-    back_to_back_controller_bad_M1_model_damping = 2030, /* outside its range */
-    back_to_back_controller_bad_M1_torque_model = 2031, /* outside its range */
-    back_to_back_controller_bad_M1_torque_integral_gain = 2032, /* outside its range */
-    back_to_back_controller_bad_M1_damping_reserve = 2033, /* outside its range */
-    back_to_back_controller_bad_M1_torque_integral_limit = 2034, /* outside its range */
+    back_to_back_controller_bad_hold_time = 2002, /* outside its range */
+    back_to_back_controller_bad_flange1_torque_ref_plausible = 2003, /* outside its range */
+    back_to_back_controller_bad_M2_speed_ref_plausible = 2004, /* outside its range */
+    back_to_back_controller_bad_M1_speed_plausible = 2005, /* outside its range */
+    back_to_back_controller_bad_flange1_torque_plausible = 2006, /* outside its range */
+    back_to_back_controller_bad_flange2_torque_plausible = 2007, /* outside its range */
+    back_to_back_controller_bad_M2_speed_plausible = 2008, /* outside its range */
+    back_to_back_controller_bad_M1_overspeed = 2009, /* outside its range */
+    back_to_back_controller_bad_M2_overspeed = 2010, /* outside its range */
+    back_to_back_controller_bad_disagreement_leak = 2011, /* outside its range */
+    back_to_back_controller_bad_M1_inertia = 2012, /* outside its range */
+    back_to_back_controller_bad_M1_disagreement_limit = 2013, /* outside its range */
+    back_to_back_controller_bad_M1_frozen_limit = 2014, /* outside its range */
+    back_to_back_controller_bad_frozen_time = 2015, /* outside its range */
+    back_to_back_controller_bad_M2_inertia = 2016, /* outside its range */
+    back_to_back_controller_bad_M2_disagreement_limit = 2017, /* outside its range */
+    back_to_back_controller_bad_M2_frozen_limit = 2018, /* outside its range */
+    back_to_back_controller_bad_oscillation_frequency = 2019, /* outside its range */
+    back_to_back_controller_bad_flange1_torque_oscillation_limit = 2020, /* outside its range */
+    back_to_back_controller_bad_flange2_torque_oscillation_limit = 2021, /* outside its range */
+    back_to_back_controller_bad_M1_torque_ref_oscillation_limit = 2022, /* outside its range */
+    back_to_back_controller_bad_M2_torque_ref_oscillation_limit = 2023, /* outside its range */
+    back_to_back_controller_bad_load_compensation = 2024, /* outside its range */
+    back_to_back_controller_bad_acceleration_torque = 2025, /* outside its range */
+    back_to_back_controller_bad_switch_time = 2026, /* outside its range */
+    back_to_back_controller_bad_M1_damping = 2027, /* outside its range */
+    back_to_back_controller_bad_M1_speed_rated = 2028, /* outside its range */
+    back_to_back_controller_bad_M1_speed_max = 2029, /* outside its range */
+    back_to_back_controller_bad_M1_speed_taper = 2030, /* outside its range */
+    back_to_back_controller_bad_M1_torque_max = 2031, /* outside its range */
+    back_to_back_controller_bad_M2_speed_rated = 2032, /* outside its range */
+    back_to_back_controller_bad_M2_speed_max = 2033, /* outside its range */
+    back_to_back_controller_bad_M2_speed_taper = 2034, /* outside its range */
+    back_to_back_controller_bad_M2_torque_max = 2035, /* outside its range */
+    back_to_back_controller_bad_M2_speed_ref_rate = 2036, /* outside its range */
+    back_to_back_controller_bad_M2_speed_gain = 2037, /* outside its range */
+    back_to_back_controller_bad_M2_speed_integral_gain = 2038, /* outside its range */
+    back_to_back_controller_bad_M1_sensor_inertia_M2 = 2039, /* outside its range */
+    back_to_back_controller_bad_M1_inertia_estimate = 2040, /* outside its range */
+    back_to_back_controller_bad_M1_feedforward = 2041, /* outside its range */
+    back_to_back_controller_bad_M1_torque_gain = 2042, /* outside its range */
+    back_to_back_controller_bad_flange1_torque_ref_rate = 2043, /* outside its range */
+    back_to_back_controller_bad_M1_model_stiffness = 2044, /* outside its range */
+    back_to_back_controller_bad_M1_model_damping = 2045, /* outside its range */
+    back_to_back_controller_bad_M1_torque_model = 2046, /* outside its range */
+    back_to_back_controller_bad_M1_torque_integral_gain = 2047, /* outside its range */
+    back_to_back_controller_bad_M1_damping_reserve = 2048, /* outside its range */
+    back_to_back_controller_bad_M1_torque_integral_limit = 2049, /* outside its range */
 } back_to_back_controller_status;
 
 extern const back_to_back_controller_params back_to_back_controller_defaults;

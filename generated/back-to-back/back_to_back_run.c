@@ -35,6 +35,7 @@ int back_to_back_run_init(back_to_back_run *run)
 {
     run->step = 0;
     memset(&run->driven, 0, sizeof run->driven);
+    memset(&run->inputs, 0, sizeof run->inputs);
     for (int k = 0; k < back_to_back_profile_count; ++k) {
         run->cursor[k] = 0;
     }

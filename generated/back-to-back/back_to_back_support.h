@@ -18,7 +18,12 @@ typedef double back_to_back_real;
 
 static inline back_to_back_real back_to_back_min(back_to_back_real a, back_to_back_real b) { return a < b ? a : b; }
 static inline back_to_back_real back_to_back_max(back_to_back_real a, back_to_back_real b) { return a > b ? a : b; }
-static inline back_to_back_real back_to_back_abs(back_to_back_real a) { return a < 0.0 ? -a : a; }
+static inline back_to_back_real back_to_back_abs(back_to_back_real a) { return back_to_back_max(-a, a); }
+/* Both are computed before, so that a step takes nearly the same time whichever is chosen. */
+static inline back_to_back_real back_to_back_select(int condition, back_to_back_real a, back_to_back_real b)
+{
+    return condition ? a : b;
+}
 static inline back_to_back_real back_to_back_sign(back_to_back_real a)
 {
     return a > 0.0 ? 1.0 : (a < 0.0 ? -1.0 : 0.0);
@@ -138,8 +143,44 @@ static inline void back_to_back_guard(back_to_back_real value, back_to_back_real
     back_to_back_real *sound)
 {
     const int good = back_to_back_abs(value) <= bound; /* false for NaN */
-    *held = good ? value : before;
-    *sound = good ? 1.0 : 0.0;
+    *held = back_to_back_select(good, value, before);
+    *sound = (back_to_back_real)good;
+}
+
+/* For how long a signal was not sound: a sound step takes back a bad one. `late` is 1 if that is longer than allowed. */
+static inline void back_to_back_lasting(back_to_back_real sound, back_to_back_real time, back_to_back_real step, back_to_back_real allowed,
+    back_to_back_real *after, back_to_back_real *late)
+{
+    const back_to_back_real longer = time + step;
+    const back_to_back_real left = back_to_back_min(time, allowed) - step;
+    const int good = sound > 0.5;
+    const int over = !(longer <= allowed + 0.5 * step); /* 1 for NaN */
+    *after = back_to_back_select(good, back_to_back_max(left, 0.0), longer);
+    *late = (back_to_back_real)(over & !good);
+}
+
+/* For how long `value` has been the same to the last bit. */
+static inline void back_to_back_still(back_to_back_real value, back_to_back_real before, back_to_back_real time, back_to_back_real step,
+    back_to_back_real *after)
+{
+    *after = back_to_back_select(back_to_back_abs(value - before) <= 0.0, time + step, 0.0);
+}
+
+/* The side on which `value` last was beyond `limit` (-1, 0, 1), and the count of changes, less `decay`. */
+static inline void back_to_back_swings(back_to_back_real value, back_to_back_real limit, back_to_back_real side, back_to_back_real count,
+    back_to_back_real decay, back_to_back_real *after, back_to_back_real *swings)
+{
+    const back_to_back_real above = back_to_back_select(value > limit, 1.0, side);
+    const back_to_back_real now = back_to_back_select(value < -limit, -1.0, above);
+    const int changed = back_to_back_abs(now - side) > 0.0;
+    *after = now;
+    *swings = back_to_back_max(count - decay, 0.0) + (back_to_back_real)changed;
+}
+
+/* `value` limited to 0 to 1; 0 for NaN. */
+static inline void back_to_back_share(back_to_back_real value, back_to_back_real *limited)
+{
+    *limited = back_to_back_min(back_to_back_max(value, 0.0), 1.0);
 }
 
 /*

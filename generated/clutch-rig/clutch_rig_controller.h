@@ -13,12 +13,28 @@
 typedef struct {
     clutch_rig_real sample_time; /* step of the controller (s) */
     clutch_rig_real fault_ramp; /* time from a fault to zero torque (s) */
+    clutch_rig_real hold_time; /* bad samples are bridged for that long, and no longer (s) */
     clutch_rig_real M1_speed_ref_plausible; /* largest plausible M1_speed_ref (rad/s) */
     clutch_rig_real M2_speed_ref_plausible; /* largest plausible M2_speed_ref (rad/s) */
     clutch_rig_real M1_speed_plausible; /* largest plausible M1_speed (rad/s) */
     clutch_rig_real flange1_torque_plausible; /* largest plausible flange1_torque (N m) */
     clutch_rig_real flange2_torque_plausible; /* largest plausible flange2_torque (N m) */
     clutch_rig_real M2_speed_plausible; /* largest plausible M2_speed (rad/s) */
+    clutch_rig_real M1_overspeed; /* speed of M1 that is a fault (rad/s) */
+    clutch_rig_real M2_overspeed; /* speed of M2 that is a fault (rad/s) */
+    clutch_rig_real disagreement_leak; /* rate at which the integrated speeds forget (1/s) */
+    clutch_rig_real M1_inertia; /* moment of inertia of the rotor (kg m^2) */
+    clutch_rig_real M1_disagreement_limit; /* largest difference between measured and integrated speed of M1 (rad/s) */
+    clutch_rig_real M1_frozen_limit; /* the same while a signal of M1 stays the same to the last bit (rad/s) */
+    clutch_rig_real frozen_time; /* for how long a frozen signal stays the same (s) */
+    clutch_rig_real M2_inertia; /* moment of inertia of the rotor (kg m^2) */
+    clutch_rig_real M2_disagreement_limit; /* largest difference between measured and integrated speed of M2 (rad/s) */
+    clutch_rig_real M2_frozen_limit; /* the same while a signal of M2 stays the same to the last bit (rad/s) */
+    clutch_rig_real oscillation_frequency; /* slowest oscillation of a torque that is watched (Hz) */
+    clutch_rig_real flange1_torque_oscillation_limit; /* amplitude with which flange1_torque may oscillate (N m) */
+    clutch_rig_real flange2_torque_oscillation_limit; /* amplitude with which flange2_torque may oscillate (N m) */
+    clutch_rig_real M1_torque_ref_oscillation_limit; /* amplitude with which M1_torque_ref may oscillate (N m) */
+    clutch_rig_real M2_torque_ref_oscillation_limit; /* amplitude with which M2_torque_ref may oscillate (N m) */
     clutch_rig_real load_compensation; /* switch of the load torque compensation, 0 to 1 */
     clutch_rig_real acceleration_torque; /* switch of the acceleration torque, 0 to 1 */
     clutch_rig_real switch_time; /* time in which a switch or a damping follows its parameter (s) */
@@ -46,6 +62,7 @@ typedef struct {
     clutch_rig_real flange1_torque; /* measured (N m) */
     clutch_rig_real flange2_torque; /* measured (N m) */
     clutch_rig_real M2_speed; /* measured (rad/s) */
+    clutch_rig_real reset; /* 0 or 1; its rising edge takes back a fault whose cause is gone */
 } clutch_rig_controller_inputs;
 
 /* Outputs of a step; torques are positive when they drive the right-hand neighbour. */
@@ -56,24 +73,66 @@ typedef struct {
 
 /* States first, then what follows from the parameters. Matrices are stored by columns. */
 typedef struct {
-    clutch_rig_real fault; /* 0, or the number of the input that failed */
+    clutch_rig_real fault; /* 0, or the status of the first fault */
+    clutch_rig_real authority; /* share of the torques that is released; goes along the ramp */
+    clutch_rig_real running; /* 1 if the last step ran without a fault, 0 before and after */
+    clutch_rig_real refused; /* 1 while the parameters of the last update are refused */
     clutch_rig_real M1_speed_ref_held; /* last sound value of M1_speed_ref (rad/s) */
+    clutch_rig_real M1_speed_ref_bad_time; /* for how long M1_speed_ref was bad (s) */
     clutch_rig_real M2_speed_ref_held; /* last sound value of M2_speed_ref (rad/s) */
+    clutch_rig_real M2_speed_ref_bad_time; /* for how long M2_speed_ref was bad (s) */
     clutch_rig_real M1_speed_held; /* last sound value of M1_speed (rad/s) */
+    clutch_rig_real M1_speed_bad_time; /* for how long M1_speed was bad (s) */
     clutch_rig_real flange1_torque_held; /* last sound value of flange1_torque (N m) */
+    clutch_rig_real flange1_torque_bad_time; /* for how long flange1_torque was bad (s) */
     clutch_rig_real flange2_torque_held; /* last sound value of flange2_torque (N m) */
+    clutch_rig_real flange2_torque_bad_time; /* for how long flange2_torque was bad (s) */
     clutch_rig_real M2_speed_held; /* last sound value of M2_speed (rad/s) */
+    clutch_rig_real M2_speed_bad_time; /* for how long M2_speed was bad (s) */
+    clutch_rig_real M1_overspeed_time; /* for how long M1 was too fast (s) */
+    clutch_rig_real M2_overspeed_time; /* for how long M2 was too fast (s) */
+    clutch_rig_real reset_before; /* reset in the step before */
+    clutch_rig_real reset_request; /* 1 while a reset waits for zero torque */
+    clutch_rig_real M1_integrated; /* speed of M1 from the torques (rad/s) */
+    clutch_rig_real M1_disagreement_time; /* for how long the speed of M1 disagreed (s) */
+    clutch_rig_real M1_speed_before; /* M1_speed in the step before (rad/s) */
+    clutch_rig_real M1_speed_still_time; /* for how long M1_speed has been the same (s) */
+    clutch_rig_real flange1_torque_before; /* flange1_torque in the step before (N m) */
+    clutch_rig_real flange1_torque_still_time; /* for how long flange1_torque has been the same (s) */
+    clutch_rig_real flange1_torque_command; /* command to M1 when flange1_torque last changed (N m) */
+    clutch_rig_real M2_integrated; /* speed of M2 from the torques (rad/s) */
+    clutch_rig_real M2_disagreement_time; /* for how long the speed of M2 disagreed (s) */
+    clutch_rig_real M2_speed_before; /* M2_speed in the step before (rad/s) */
+    clutch_rig_real M2_speed_still_time; /* for how long M2_speed has been the same (s) */
+    clutch_rig_real flange2_torque_before; /* flange2_torque in the step before (N m) */
+    clutch_rig_real flange2_torque_still_time; /* for how long flange2_torque has been the same (s) */
+    clutch_rig_real flange2_torque_command; /* command to M2 when flange2_torque last changed (N m) */
+    clutch_rig_real flange1_torque_mean; /* flange1_torque without its oscillation (N m) */
+    clutch_rig_real flange1_torque_side; /* side on which flange1_torque last was beyond the limit */
+    clutch_rig_real flange1_torque_swings; /* half swings of flange1_torque, forgotten in time */
+    clutch_rig_real flange2_torque_mean; /* flange2_torque without its oscillation (N m) */
+    clutch_rig_real flange2_torque_side; /* side on which flange2_torque last was beyond the limit */
+    clutch_rig_real flange2_torque_swings; /* half swings of flange2_torque, forgotten in time */
+    clutch_rig_real M1_torque_ref_mean; /* M1_torque_ref without its oscillation (N m) */
+    clutch_rig_real M1_torque_ref_side; /* side on which M1_torque_ref last was beyond the limit */
+    clutch_rig_real M1_torque_ref_swings; /* half swings of M1_torque_ref, forgotten in time */
+    clutch_rig_real M2_torque_ref_mean; /* M2_torque_ref without its oscillation (N m) */
+    clutch_rig_real M2_torque_ref_side; /* side on which M2_torque_ref last was beyond the limit */
+    clutch_rig_real M2_torque_ref_swings; /* half swings of M2_torque_ref, forgotten in time */
     clutch_rig_real load_compensation_now; /* load_compensation on its way to the parameter */
     clutch_rig_real load_compensation_target; /* load_compensation as the last step found it */
     clutch_rig_real load_compensation_step; /* how far load_compensation moves in a step */
-    clutch_rig_real running; /* 1 once a step was done without a fault */
     clutch_rig_real M1_speed_ref_limited; /* M1_speed_ref behind its rate limiter (rad/s) */
     clutch_rig_real M2_speed_ref_limited; /* M2_speed_ref behind its rate limiter (rad/s) */
     clutch_rig_real M1_speed_integral; /* integrator of the speed control of M1 (N m) */
     clutch_rig_real M2_speed_integral; /* integrator of the speed control of M2 (N m) */
     clutch_rig_real M1_last; /* last torque of M1 before a fault (N m) */
     clutch_rig_real M2_last; /* last torque of M2 before a fault (N m) */
-    clutch_rig_real authority; /* 1, going to 0 along the ramp after a fault */
+    clutch_rig_real disagreement_share; /* share of the difference that is forgotten per step */
+    clutch_rig_real M1_per_step; /* change of speed of M1 per torque in a step (rad/s/(N m)) */
+    clutch_rig_real M2_per_step; /* change of speed of M2 per torque in a step (rad/s/(N m)) */
+    clutch_rig_real forgotten_swings; /* half swings that are forgotten per step */
+    clutch_rig_real mean_share; /* share of a step in the mean of a torque */
     clutch_rig_real switch_share; /* share of a change per step */
     clutch_rig_real M1_taper_slope; /* share of the torque of M1 per excess of speed (s/rad) */
     clutch_rig_real M1_taper_end; /* share at standstill if it were not limited */
@@ -85,43 +144,74 @@ typedef struct {
     clutch_rig_real M1_speed_conditioning; /* growth per torque cut off */
     clutch_rig_real M2_speed_growth; /* growth of the integrator per error (N m s/rad) */
     clutch_rig_real M2_speed_conditioning; /* growth per torque cut off */
+    clutch_rig_real M1_largest; /* torque of M1 that is a fault (N m) */
+    clutch_rig_real M2_largest; /* torque of M2 that is a fault (N m) */
+    clutch_rig_real ramp_step; /* change of the released share per step */
 } clutch_rig_controller_state;
 
 typedef enum {
     clutch_rig_controller_ok = 0,
-    clutch_rig_controller_fault_M1_speed_ref = 1, /* M1_speed_ref was not finite or not plausible */
-    clutch_rig_controller_fault_M2_speed_ref = 2, /* M2_speed_ref was not finite or not plausible */
-    clutch_rig_controller_fault_M1_speed = 3, /* M1_speed was not finite or not plausible */
-    clutch_rig_controller_fault_flange1_torque = 4, /* flange1_torque was not finite or not plausible */
-    clutch_rig_controller_fault_flange2_torque = 5, /* flange2_torque was not finite or not plausible */
-    clutch_rig_controller_fault_M2_speed = 6, /* M2_speed was not finite or not plausible */
-    clutch_rig_controller_fault_M1_torque_ref = 7, /* M1_torque_ref was not finite or not plausible */
-    clutch_rig_controller_fault_M2_torque_ref = 8, /* M2_torque_ref was not finite or not plausible */
+    clutch_rig_controller_fault_M1_speed_ref = 1, /* M1_speed_ref: not finite or not plausible */
+    clutch_rig_controller_fault_M2_speed_ref = 2, /* M2_speed_ref: not finite or not plausible */
+    clutch_rig_controller_fault_M1_speed = 3, /* M1_speed: not finite or not plausible */
+    clutch_rig_controller_fault_flange1_torque = 4, /* flange1_torque: not finite or not plausible */
+    clutch_rig_controller_fault_flange2_torque = 5, /* flange2_torque: not finite or not plausible */
+    clutch_rig_controller_fault_M2_speed = 6, /* M2_speed: not finite or not plausible */
+    clutch_rig_controller_fault_M1_speed_overspeed = 4003, /* M1_speed: overspeed */
+    clutch_rig_controller_fault_M2_speed_overspeed = 4006, /* M2_speed: overspeed */
+    clutch_rig_controller_fault_M1_speed_frozen = 3003, /* M1_speed: frozen while the torques accelerate the machine */
+    clutch_rig_controller_fault_M1_speed_disagreement = 5003, /* M1_speed: disagrees with the integrated torque */
+    clutch_rig_controller_fault_flange1_torque_frozen = 3004, /* flange1_torque: frozen while the torque of the machine changes */
+    clutch_rig_controller_fault_M2_speed_frozen = 3006, /* M2_speed: frozen while the torques accelerate the machine */
+    clutch_rig_controller_fault_M2_speed_disagreement = 5006, /* M2_speed: disagrees with the integrated torque */
+    clutch_rig_controller_fault_flange2_torque_frozen = 3005, /* flange2_torque: frozen while the torque of the machine changes */
+    clutch_rig_controller_fault_flange1_torque_oscillation = 6004, /* flange1_torque: oscillates beyond its limit */
+    clutch_rig_controller_fault_flange2_torque_oscillation = 6005, /* flange2_torque: oscillates beyond its limit */
+    clutch_rig_controller_fault_M1_torque_ref_oscillation = 8001, /* M1_torque_ref: the command oscillates */
+    clutch_rig_controller_fault_M2_torque_ref_oscillation = 8002, /* M2_torque_ref: the command oscillates */
+    clutch_rig_controller_fault_M1_torque_ref = 7001, /* M1_torque_ref: the command is not finite, or beyond the torque of the machine */
+    clutch_rig_controller_fault_M2_torque_ref = 7002, /* M2_torque_ref: the command is not finite, or beyond the torque of the machine */
     clutch_rig_controller_bad_sample_time = 2000, /* outside its range */
     clutch_rig_controller_bad_fault_ramp = 2001, /* outside its range */
-    clutch_rig_controller_bad_M1_speed_ref_plausible = 2002, /* outside its range */
-    clutch_rig_controller_bad_M2_speed_ref_plausible = 2003, /* outside its range */
-    clutch_rig_controller_bad_M1_speed_plausible = 2004, /* outside its range */
-    clutch_rig_controller_bad_flange1_torque_plausible = 2005, /* outside its range */
-    clutch_rig_controller_bad_flange2_torque_plausible = 2006, /* outside its range */
-    clutch_rig_controller_bad_M2_speed_plausible = 2007, /* outside its range */
-    clutch_rig_controller_bad_load_compensation = 2008, /* outside its range */
-    clutch_rig_controller_bad_acceleration_torque = 2009, /* outside its range */
-    clutch_rig_controller_bad_switch_time = 2010, /* outside its range */
-    clutch_rig_controller_bad_M1_speed_rated = 2011, /* outside its range */
-    clutch_rig_controller_bad_M1_speed_max = 2012, /* outside its range */
-    clutch_rig_controller_bad_M1_speed_taper = 2013, /* outside its range */
-    clutch_rig_controller_bad_M1_torque_max = 2014, /* outside its range */
-    clutch_rig_controller_bad_M2_speed_rated = 2015, /* outside its range */
-    clutch_rig_controller_bad_M2_speed_max = 2016, /* outside its range */
-    clutch_rig_controller_bad_M2_speed_taper = 2017, /* outside its range */
-    clutch_rig_controller_bad_M2_torque_max = 2018, /* outside its range */
-    clutch_rig_controller_bad_M1_speed_ref_rate = 2019, /* outside its range */
-    clutch_rig_controller_bad_M2_speed_ref_rate = 2020, /* outside its range */
-    clutch_rig_controller_bad_M1_speed_gain = 2021, /* outside its range */
-    clutch_rig_controller_bad_M1_speed_integral_gain = 2022, /* outside its range */
-    clutch_rig_controller_bad_M2_speed_gain = 2023, /* outside its range */
-    clutch_rig_controller_bad_M2_speed_integral_gain = 2024, /* outside its range */
+    clutch_rig_controller_bad_hold_time = 2002, /* outside its range */
+    clutch_rig_controller_bad_M1_speed_ref_plausible = 2003, /* outside its range */
+    clutch_rig_controller_bad_M2_speed_ref_plausible = 2004, /* outside its range */
+    clutch_rig_controller_bad_M1_speed_plausible = 2005, /* outside its range */
+    clutch_rig_controller_bad_flange1_torque_plausible = 2006, /* outside its range */
+    clutch_rig_controller_bad_flange2_torque_plausible = 2007, /* outside its range */
+    clutch_rig_controller_bad_M2_speed_plausible = 2008, /* outside its range */
+    clutch_rig_controller_bad_M1_overspeed = 2009, /* outside its range */
+    clutch_rig_controller_bad_M2_overspeed = 2010, /* outside its range */
+    clutch_rig_controller_bad_disagreement_leak = 2011, /* outside its range */
+    clutch_rig_controller_bad_M1_inertia = 2012, /* outside its range */
+    clutch_rig_controller_bad_M1_disagreement_limit = 2013, /* outside its range */
+    clutch_rig_controller_bad_M1_frozen_limit = 2014, /* outside its range */
+    clutch_rig_controller_bad_frozen_time = 2015, /* outside its range */
+    clutch_rig_controller_bad_M2_inertia = 2016, /* outside its range */
+    clutch_rig_controller_bad_M2_disagreement_limit = 2017, /* outside its range */
+    clutch_rig_controller_bad_M2_frozen_limit = 2018, /* outside its range */
+    clutch_rig_controller_bad_oscillation_frequency = 2019, /* outside its range */
+    clutch_rig_controller_bad_flange1_torque_oscillation_limit = 2020, /* outside its range */
+    clutch_rig_controller_bad_flange2_torque_oscillation_limit = 2021, /* outside its range */
+    clutch_rig_controller_bad_M1_torque_ref_oscillation_limit = 2022, /* outside its range */
+    clutch_rig_controller_bad_M2_torque_ref_oscillation_limit = 2023, /* outside its range */
+    clutch_rig_controller_bad_load_compensation = 2024, /* outside its range */
+    clutch_rig_controller_bad_acceleration_torque = 2025, /* outside its range */
+    clutch_rig_controller_bad_switch_time = 2026, /* outside its range */
+    clutch_rig_controller_bad_M1_speed_rated = 2027, /* outside its range */
+    clutch_rig_controller_bad_M1_speed_max = 2028, /* outside its range */
+    clutch_rig_controller_bad_M1_speed_taper = 2029, /* outside its range */
+    clutch_rig_controller_bad_M1_torque_max = 2030, /* outside its range */
+    clutch_rig_controller_bad_M2_speed_rated = 2031, /* outside its range */
+    clutch_rig_controller_bad_M2_speed_max = 2032, /* outside its range */
+    clutch_rig_controller_bad_M2_speed_taper = 2033, /* outside its range */
+    clutch_rig_controller_bad_M2_torque_max = 2034, /* outside its range */
+    clutch_rig_controller_bad_M1_speed_ref_rate = 2035, /* outside its range */
+    clutch_rig_controller_bad_M2_speed_ref_rate = 2036, /* outside its range */
+    clutch_rig_controller_bad_M1_speed_gain = 2037, /* outside its range */
+    clutch_rig_controller_bad_M1_speed_integral_gain = 2038, /* outside its range */
+    clutch_rig_controller_bad_M2_speed_gain = 2039, /* outside its range */
+    clutch_rig_controller_bad_M2_speed_integral_gain = 2040, /* outside its range */
 } clutch_rig_controller_status;
 
 extern const clutch_rig_controller_params clutch_rig_controller_defaults;

@@ -400,8 +400,8 @@ clutch_rig_plant_status clutch_rig_plant_step(clutch_rig_plant_state *s, const c
     /* x+ = x_free + Gamma_f T */
     clutch_rig_add_product(13, 2, s->x, x_free, &s->gamma[0][0], mean_torque);
     /* exactly zero while it sticks */
-    s->x[0] = ((p->standstill_speed > clutch_rig_abs(w_plus[0])) ? 0.0 : w_plus[0]);
-    s->x[1] = ((p->standstill_speed > clutch_rig_abs(w_plus[1])) ? 0.0 : w_plus[1]);
+    s->x[0] = clutch_rig_select(p->standstill_speed > clutch_rig_abs(w_plus[0]), 0.0, w_plus[0]);
+    s->x[1] = clutch_rig_select(p->standstill_speed > clutch_rig_abs(w_plus[1]), 0.0, w_plus[1]);
     clutch_rig_plant_measure(s, p, out);
     if (s->friction_status == CLUTCH_RIG_REAL(-1)) {
         return clutch_rig_plant_friction_unsolved;

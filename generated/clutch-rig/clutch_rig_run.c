@@ -43,6 +43,7 @@ int clutch_rig_run_init(clutch_rig_run *run)
 {
     run->step = 0;
     memset(&run->driven, 0, sizeof run->driven);
+    memset(&run->inputs, 0, sizeof run->inputs);
     for (int k = 0; k < clutch_rig_profile_count; ++k) {
         run->cursor[k] = 0;
     }

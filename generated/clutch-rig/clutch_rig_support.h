@@ -18,7 +18,12 @@ typedef double clutch_rig_real;
 
 static inline clutch_rig_real clutch_rig_min(clutch_rig_real a, clutch_rig_real b) { return a < b ? a : b; }
 static inline clutch_rig_real clutch_rig_max(clutch_rig_real a, clutch_rig_real b) { return a > b ? a : b; }
-static inline clutch_rig_real clutch_rig_abs(clutch_rig_real a) { return a < 0.0 ? -a : a; }
+static inline clutch_rig_real clutch_rig_abs(clutch_rig_real a) { return clutch_rig_max(-a, a); }
+/* Both are computed before, so that a step takes nearly the same time whichever is chosen. */
+static inline clutch_rig_real clutch_rig_select(int condition, clutch_rig_real a, clutch_rig_real b)
+{
+    return condition ? a : b;
+}
 static inline clutch_rig_real clutch_rig_sign(clutch_rig_real a)
 {
     return a > 0.0 ? 1.0 : (a < 0.0 ? -1.0 : 0.0);
@@ -138,8 +143,44 @@ static inline void clutch_rig_guard(clutch_rig_real value, clutch_rig_real bound
     clutch_rig_real *sound)
 {
     const int good = clutch_rig_abs(value) <= bound; /* false for NaN */
-    *held = good ? value : before;
-    *sound = good ? 1.0 : 0.0;
+    *held = clutch_rig_select(good, value, before);
+    *sound = (clutch_rig_real)good;
+}
+
+/* For how long a signal was not sound: a sound step takes back a bad one. `late` is 1 if that is longer than allowed. */
+static inline void clutch_rig_lasting(clutch_rig_real sound, clutch_rig_real time, clutch_rig_real step, clutch_rig_real allowed,
+    clutch_rig_real *after, clutch_rig_real *late)
+{
+    const clutch_rig_real longer = time + step;
+    const clutch_rig_real left = clutch_rig_min(time, allowed) - step;
+    const int good = sound > 0.5;
+    const int over = !(longer <= allowed + 0.5 * step); /* 1 for NaN */
+    *after = clutch_rig_select(good, clutch_rig_max(left, 0.0), longer);
+    *late = (clutch_rig_real)(over & !good);
+}
+
+/* For how long `value` has been the same to the last bit. */
+static inline void clutch_rig_still(clutch_rig_real value, clutch_rig_real before, clutch_rig_real time, clutch_rig_real step,
+    clutch_rig_real *after)
+{
+    *after = clutch_rig_select(clutch_rig_abs(value - before) <= 0.0, time + step, 0.0);
+}
+
+/* The side on which `value` last was beyond `limit` (-1, 0, 1), and the count of changes, less `decay`. */
+static inline void clutch_rig_swings(clutch_rig_real value, clutch_rig_real limit, clutch_rig_real side, clutch_rig_real count,
+    clutch_rig_real decay, clutch_rig_real *after, clutch_rig_real *swings)
+{
+    const clutch_rig_real above = clutch_rig_select(value > limit, 1.0, side);
+    const clutch_rig_real now = clutch_rig_select(value < -limit, -1.0, above);
+    const int changed = clutch_rig_abs(now - side) > 0.0;
+    *after = now;
+    *swings = clutch_rig_max(count - decay, 0.0) + (clutch_rig_real)changed;
+}
+
+/* `value` limited to 0 to 1; 0 for NaN. */
+static inline void clutch_rig_share(clutch_rig_real value, clutch_rig_real *limited)
+{
+    *limited = clutch_rig_min(clutch_rig_max(value, 0.0), 1.0);
 }
 
 /*

@@ -13,6 +13,7 @@
 typedef struct {
     differential_gearboxes_real sample_time; /* step of the controller (s) */
     differential_gearboxes_real fault_ramp; /* time from a fault to zero torque (s) */
+    differential_gearboxes_real hold_time; /* bad samples are bridged for that long, and no longer (s) */
     differential_gearboxes_real diff_outputs_torque_ref_plausible; /* largest plausible diff_outputs_torque_ref (N m) */
     differential_gearboxes_real M2_speed_ref_plausible; /* largest plausible M2_speed_ref (rad/s) */
     differential_gearboxes_real M3_speed_ref_plausible; /* largest plausible M3_speed_ref (rad/s) */
@@ -21,6 +22,23 @@ typedef struct {
     differential_gearboxes_real M2_speed_plausible; /* largest plausible M2_speed (rad/s) */
     differential_gearboxes_real flange3_torque_plausible; /* largest plausible flange3_torque (N m) */
     differential_gearboxes_real M3_speed_plausible; /* largest plausible M3_speed (rad/s) */
+    differential_gearboxes_real M1_overspeed; /* speed of M1 that is a fault (rad/s) */
+    differential_gearboxes_real M2_overspeed; /* speed of M2 that is a fault (rad/s) */
+    differential_gearboxes_real M3_overspeed; /* speed of M3 that is a fault (rad/s) */
+    differential_gearboxes_real disagreement_leak; /* rate at which the integrated speeds forget (1/s) */
+    differential_gearboxes_real M2_inertia; /* moment of inertia of the rotor (kg m^2) */
+    differential_gearboxes_real M2_disagreement_limit; /* largest difference between measured and integrated speed of M2 (rad/s) */
+    differential_gearboxes_real M2_frozen_limit; /* the same while a signal of M2 stays the same to the last bit (rad/s) */
+    differential_gearboxes_real frozen_time; /* for how long a frozen signal stays the same (s) */
+    differential_gearboxes_real M3_inertia; /* moment of inertia of the rotor (kg m^2) */
+    differential_gearboxes_real M3_disagreement_limit; /* largest difference between measured and integrated speed of M3 (rad/s) */
+    differential_gearboxes_real M3_frozen_limit; /* the same while a signal of M3 stays the same to the last bit (rad/s) */
+    differential_gearboxes_real oscillation_frequency; /* slowest oscillation of a torque that is watched (Hz) */
+    differential_gearboxes_real flange2_torque_oscillation_limit; /* amplitude with which flange2_torque may oscillate (N m) */
+    differential_gearboxes_real flange3_torque_oscillation_limit; /* amplitude with which flange3_torque may oscillate (N m) */
+    differential_gearboxes_real M1_torque_ref_oscillation_limit; /* amplitude with which M1_torque_ref may oscillate (N m) */
+    differential_gearboxes_real M2_torque_ref_oscillation_limit; /* amplitude with which M2_torque_ref may oscillate (N m) */
+    differential_gearboxes_real M3_torque_ref_oscillation_limit; /* amplitude with which M3_torque_ref may oscillate (N m) */
     differential_gearboxes_real load_compensation; /* switch of the load torque compensation, 0 to 1 */
     differential_gearboxes_real acceleration_torque; /* switch of the acceleration torque, 0 to 1 */
     differential_gearboxes_real switch_time; /* time in which a switch or a damping follows its parameter (s) */
@@ -45,9 +63,7 @@ typedef struct {
     differential_gearboxes_real M3_speed_integral_gain; /* integral gain of the speed of M3 (N m/rad) */
     differential_gearboxes_real gearbox2_ratio; /* ratio of input speed to output speed; negative when the sense reverses */
     differential_gearboxes_real gearbox3_ratio; /* ratio of input speed to output speed; negative when the sense reverses */
-    differential_gearboxes_real M2_inertia; /* moment of inertia of the rotor (kg m^2) */
     differential_gearboxes_real gearbox2_inertia; /* moment of inertia, referred to the side named in inertia_side (kg m^2) */
-    differential_gearboxes_real M3_inertia; /* moment of inertia of the rotor (kg m^2) */
     differential_gearboxes_real gearbox3_inertia; /* moment of inertia, referred to the side named in inertia_side (kg m^2) */
     differential_gearboxes_real M1_sensor_inertia_M2; /* torque of M1 that its sensors miss, per acceleration of M2 (kg m^2) */
     differential_gearboxes_real M1_sensor_inertia_M3; /* torque of M1 that its sensors miss, per acceleration of M3 (kg m^2) */
@@ -75,6 +91,7 @@ typedef struct {
     differential_gearboxes_real M2_speed; /* measured (rad/s) */
     differential_gearboxes_real flange3_torque; /* measured (N m) */
     differential_gearboxes_real M3_speed; /* measured (rad/s) */
+    differential_gearboxes_real reset; /* 0 or 1; its rising edge takes back a fault whose cause is gone */
 } differential_gearboxes_controller_inputs;
 
 /* Outputs of a step; torques are positive when they drive the right-hand neighbour. */
@@ -86,19 +103,63 @@ typedef struct {
 
 /* States first, then what follows from the parameters. Matrices are stored by columns. */
 typedef struct {
-    differential_gearboxes_real fault; /* 0, or the number of the input that failed */
+    differential_gearboxes_real fault; /* 0, or the status of the first fault */
+    differential_gearboxes_real authority; /* share of the torques that is released; goes along the ramp */
+    differential_gearboxes_real running; /* 1 if the last step ran without a fault, 0 before and after */
+    differential_gearboxes_real refused; /* 1 while the parameters of the last update are refused */
     differential_gearboxes_real diff_outputs_torque_ref_held; /* last sound value of diff_outputs_torque_ref (N m) */
+    differential_gearboxes_real diff_outputs_torque_ref_bad_time; /* for how long diff_outputs_torque_ref was bad (s) */
     differential_gearboxes_real M2_speed_ref_held; /* last sound value of M2_speed_ref (rad/s) */
+    differential_gearboxes_real M2_speed_ref_bad_time; /* for how long M2_speed_ref was bad (s) */
     differential_gearboxes_real M3_speed_ref_held; /* last sound value of M3_speed_ref (rad/s) */
+    differential_gearboxes_real M3_speed_ref_bad_time; /* for how long M3_speed_ref was bad (s) */
     differential_gearboxes_real M1_speed_held; /* last sound value of M1_speed (rad/s) */
+    differential_gearboxes_real M1_speed_bad_time; /* for how long M1_speed was bad (s) */
     differential_gearboxes_real flange2_torque_held; /* last sound value of flange2_torque (N m) */
+    differential_gearboxes_real flange2_torque_bad_time; /* for how long flange2_torque was bad (s) */
     differential_gearboxes_real M2_speed_held; /* last sound value of M2_speed (rad/s) */
+    differential_gearboxes_real M2_speed_bad_time; /* for how long M2_speed was bad (s) */
     differential_gearboxes_real flange3_torque_held; /* last sound value of flange3_torque (N m) */
+    differential_gearboxes_real flange3_torque_bad_time; /* for how long flange3_torque was bad (s) */
     differential_gearboxes_real M3_speed_held; /* last sound value of M3_speed (rad/s) */
+    differential_gearboxes_real M3_speed_bad_time; /* for how long M3_speed was bad (s) */
+    differential_gearboxes_real M1_overspeed_time; /* for how long M1 was too fast (s) */
+    differential_gearboxes_real M2_overspeed_time; /* for how long M2 was too fast (s) */
+    differential_gearboxes_real M3_overspeed_time; /* for how long M3 was too fast (s) */
+    differential_gearboxes_real reset_before; /* reset in the step before */
+    differential_gearboxes_real reset_request; /* 1 while a reset waits for zero torque */
+    differential_gearboxes_real M2_integrated; /* speed of M2 from the torques (rad/s) */
+    differential_gearboxes_real M2_disagreement_time; /* for how long the speed of M2 disagreed (s) */
+    differential_gearboxes_real M2_speed_before; /* M2_speed in the step before (rad/s) */
+    differential_gearboxes_real M2_speed_still_time; /* for how long M2_speed has been the same (s) */
+    differential_gearboxes_real flange2_torque_before; /* flange2_torque in the step before (N m) */
+    differential_gearboxes_real flange2_torque_still_time; /* for how long flange2_torque has been the same (s) */
+    differential_gearboxes_real flange2_torque_command; /* command to M2 when flange2_torque last changed (N m) */
+    differential_gearboxes_real M3_integrated; /* speed of M3 from the torques (rad/s) */
+    differential_gearboxes_real M3_disagreement_time; /* for how long the speed of M3 disagreed (s) */
+    differential_gearboxes_real M3_speed_before; /* M3_speed in the step before (rad/s) */
+    differential_gearboxes_real M3_speed_still_time; /* for how long M3_speed has been the same (s) */
+    differential_gearboxes_real flange3_torque_before; /* flange3_torque in the step before (N m) */
+    differential_gearboxes_real flange3_torque_still_time; /* for how long flange3_torque has been the same (s) */
+    differential_gearboxes_real flange3_torque_command; /* command to M3 when flange3_torque last changed (N m) */
+    differential_gearboxes_real flange2_torque_mean; /* flange2_torque without its oscillation (N m) */
+    differential_gearboxes_real flange2_torque_side; /* side on which flange2_torque last was beyond the limit */
+    differential_gearboxes_real flange2_torque_swings; /* half swings of flange2_torque, forgotten in time */
+    differential_gearboxes_real flange3_torque_mean; /* flange3_torque without its oscillation (N m) */
+    differential_gearboxes_real flange3_torque_side; /* side on which flange3_torque last was beyond the limit */
+    differential_gearboxes_real flange3_torque_swings; /* half swings of flange3_torque, forgotten in time */
+    differential_gearboxes_real M1_torque_ref_mean; /* M1_torque_ref without its oscillation (N m) */
+    differential_gearboxes_real M1_torque_ref_side; /* side on which M1_torque_ref last was beyond the limit */
+    differential_gearboxes_real M1_torque_ref_swings; /* half swings of M1_torque_ref, forgotten in time */
+    differential_gearboxes_real M2_torque_ref_mean; /* M2_torque_ref without its oscillation (N m) */
+    differential_gearboxes_real M2_torque_ref_side; /* side on which M2_torque_ref last was beyond the limit */
+    differential_gearboxes_real M2_torque_ref_swings; /* half swings of M2_torque_ref, forgotten in time */
+    differential_gearboxes_real M3_torque_ref_mean; /* M3_torque_ref without its oscillation (N m) */
+    differential_gearboxes_real M3_torque_ref_side; /* side on which M3_torque_ref last was beyond the limit */
+    differential_gearboxes_real M3_torque_ref_swings; /* half swings of M3_torque_ref, forgotten in time */
     differential_gearboxes_real load_compensation_now; /* load_compensation on its way to the parameter */
     differential_gearboxes_real load_compensation_target; /* load_compensation as the last step found it */
     differential_gearboxes_real load_compensation_step; /* how far load_compensation moves in a step */
-    differential_gearboxes_real running; /* 1 once a step was done without a fault */
     differential_gearboxes_real acceleration_torque_now; /* acceleration_torque on its way to the parameter */
     differential_gearboxes_real acceleration_torque_target; /* acceleration_torque as the last step found it */
     differential_gearboxes_real acceleration_torque_step; /* how far acceleration_torque moves in a step */
@@ -116,7 +177,11 @@ typedef struct {
     differential_gearboxes_real M1_last; /* last torque of M1 before a fault (N m) */
     differential_gearboxes_real M2_last; /* last torque of M2 before a fault (N m) */
     differential_gearboxes_real M3_last; /* last torque of M3 before a fault (N m) */
-    differential_gearboxes_real authority; /* 1, going to 0 along the ramp after a fault */
+    differential_gearboxes_real disagreement_share; /* share of the difference that is forgotten per step */
+    differential_gearboxes_real M2_per_step; /* change of speed of M2 per torque in a step (rad/s/(N m)) */
+    differential_gearboxes_real M3_per_step; /* change of speed of M3 per torque in a step (rad/s/(N m)) */
+    differential_gearboxes_real forgotten_swings; /* half swings that are forgotten per step */
+    differential_gearboxes_real mean_share; /* share of a step in the mean of a torque */
     differential_gearboxes_real switch_share; /* share of a change per step */
     differential_gearboxes_real M1_taper_slope; /* share of the torque of M1 per excess of speed (s/rad) */
     differential_gearboxes_real M1_taper_end; /* share at standstill if it were not limited */
@@ -144,73 +209,107 @@ typedef struct {
     differential_gearboxes_real M1_twist_M3_speed; /* coefficient of M3_speed */
     differential_gearboxes_real M1_torque_growth; /* growth of the integrator per error */
     differential_gearboxes_real M1_share; /* share of its virtual input in M1 */
+    differential_gearboxes_real M1_largest; /* torque of M1 that is a fault (N m) */
+    differential_gearboxes_real M2_largest; /* torque of M2 that is a fault (N m) */
+    differential_gearboxes_real M3_largest; /* torque of M3 that is a fault (N m) */
+    differential_gearboxes_real ramp_step; /* change of the released share per step */
 } differential_gearboxes_controller_state;
 
 typedef enum {
     differential_gearboxes_controller_ok = 0,
-    differential_gearboxes_controller_fault_diff_outputs_torque_ref = 1, /* diff_outputs_torque_ref was not finite or not plausible */
-    differential_gearboxes_controller_fault_M2_speed_ref = 2, /* M2_speed_ref was not finite or not plausible */
-    differential_gearboxes_controller_fault_M3_speed_ref = 3, /* M3_speed_ref was not finite or not plausible */
-    differential_gearboxes_controller_fault_M1_speed = 4, /* M1_speed was not finite or not plausible */
-    differential_gearboxes_controller_fault_flange2_torque = 5, /* flange2_torque was not finite or not plausible */
-    differential_gearboxes_controller_fault_M2_speed = 6, /* M2_speed was not finite or not plausible */
-    differential_gearboxes_controller_fault_flange3_torque = 7, /* flange3_torque was not finite or not plausible */
-    differential_gearboxes_controller_fault_M3_speed = 8, /* M3_speed was not finite or not plausible */
-    differential_gearboxes_controller_fault_M1_torque_ref = 9, /* M1_torque_ref was not finite or not plausible */
-    differential_gearboxes_controller_fault_M2_torque_ref = 10, /* M2_torque_ref was not finite or not plausible */
-    differential_gearboxes_controller_fault_M3_torque_ref = 11, /* M3_torque_ref was not finite or not plausible */
+    differential_gearboxes_controller_fault_diff_outputs_torque_ref = 1, /* diff_outputs_torque_ref: not finite or not plausible */
+    differential_gearboxes_controller_fault_M2_speed_ref = 2, /* M2_speed_ref: not finite or not plausible */
+    differential_gearboxes_controller_fault_M3_speed_ref = 3, /* M3_speed_ref: not finite or not plausible */
+    differential_gearboxes_controller_fault_M1_speed = 4, /* M1_speed: not finite or not plausible */
+    differential_gearboxes_controller_fault_flange2_torque = 5, /* flange2_torque: not finite or not plausible */
+    differential_gearboxes_controller_fault_M2_speed = 6, /* M2_speed: not finite or not plausible */
+    differential_gearboxes_controller_fault_flange3_torque = 7, /* flange3_torque: not finite or not plausible */
+    differential_gearboxes_controller_fault_M3_speed = 8, /* M3_speed: not finite or not plausible */
+    differential_gearboxes_controller_fault_M1_speed_overspeed = 4004, /* M1_speed: overspeed */
+    differential_gearboxes_controller_fault_M2_speed_overspeed = 4006, /* M2_speed: overspeed */
+    differential_gearboxes_controller_fault_M3_speed_overspeed = 4008, /* M3_speed: overspeed */
+    differential_gearboxes_controller_fault_M2_speed_frozen = 3006, /* M2_speed: frozen while the torques accelerate the machine */
+    differential_gearboxes_controller_fault_M2_speed_disagreement = 5006, /* M2_speed: disagrees with the integrated torque */
+    differential_gearboxes_controller_fault_flange2_torque_frozen = 3005, /* flange2_torque: frozen while the torque of the machine changes */
+    differential_gearboxes_controller_fault_M3_speed_frozen = 3008, /* M3_speed: frozen while the torques accelerate the machine */
+    differential_gearboxes_controller_fault_M3_speed_disagreement = 5008, /* M3_speed: disagrees with the integrated torque */
+    differential_gearboxes_controller_fault_flange3_torque_frozen = 3007, /* flange3_torque: frozen while the torque of the machine changes */
+    differential_gearboxes_controller_fault_flange2_torque_oscillation = 6005, /* flange2_torque: oscillates beyond its limit */
+    differential_gearboxes_controller_fault_flange3_torque_oscillation = 6007, /* flange3_torque: oscillates beyond its limit */
+    differential_gearboxes_controller_fault_M1_torque_ref_oscillation = 8001, /* M1_torque_ref: the command oscillates */
+    differential_gearboxes_controller_fault_M2_torque_ref_oscillation = 8002, /* M2_torque_ref: the command oscillates */
+    differential_gearboxes_controller_fault_M3_torque_ref_oscillation = 8003, /* M3_torque_ref: the command oscillates */
+    differential_gearboxes_controller_fault_M1_torque_ref = 7001, /* M1_torque_ref: the command is not finite, or beyond the torque of the machine */
+    differential_gearboxes_controller_fault_M2_torque_ref = 7002, /* M2_torque_ref: the command is not finite, or beyond the torque of the machine */
+    differential_gearboxes_controller_fault_M3_torque_ref = 7003, /* M3_torque_ref: the command is not finite, or beyond the torque of the machine */
     differential_gearboxes_controller_bad_sample_time = 2000, /* outside its range */
     differential_gearboxes_controller_bad_fault_ramp = 2001, /* outside its range */
-    differential_gearboxes_controller_bad_diff_outputs_torque_ref_plausible = 2002, /* outside its range */
-    differential_gearboxes_controller_bad_M2_speed_ref_plausible = 2003, /* outside its range */
-    differential_gearboxes_controller_bad_M3_speed_ref_plausible = 2004, /* outside its range */
-    differential_gearboxes_controller_bad_M1_speed_plausible = 2005, /* outside its range */
-    differential_gearboxes_controller_bad_flange2_torque_plausible = 2006, /* outside its range */
-    differential_gearboxes_controller_bad_M2_speed_plausible = 2007, /* outside its range */
-    differential_gearboxes_controller_bad_flange3_torque_plausible = 2008, /* outside its range */
-    differential_gearboxes_controller_bad_M3_speed_plausible = 2009, /* outside its range */
-    differential_gearboxes_controller_bad_load_compensation = 2010, /* outside its range */
-    differential_gearboxes_controller_bad_acceleration_torque = 2011, /* outside its range */
-    differential_gearboxes_controller_bad_switch_time = 2012, /* outside its range */
-    differential_gearboxes_controller_bad_M1_damping = 2013, /* outside its range */
-    differential_gearboxes_controller_bad_M1_speed_rated = 2014, /* outside its range */
-    differential_gearboxes_controller_bad_M1_speed_max = 2015, /* outside its range */
-    differential_gearboxes_controller_bad_M1_speed_taper = 2016, /* outside its range */
-    differential_gearboxes_controller_bad_M1_torque_max = 2017, /* outside its range */
-    differential_gearboxes_controller_bad_M2_speed_rated = 2018, /* outside its range */
-    differential_gearboxes_controller_bad_M2_speed_max = 2019, /* outside its range */
-    differential_gearboxes_controller_bad_M2_speed_taper = 2020, /* outside its range */
-    differential_gearboxes_controller_bad_M2_torque_max = 2021, /* outside its range */
-    differential_gearboxes_controller_bad_M3_speed_rated = 2022, /* outside its range */
-    differential_gearboxes_controller_bad_M3_speed_max = 2023, /* outside its range */
-    differential_gearboxes_controller_bad_M3_speed_taper = 2024, /* outside its range */
-    differential_gearboxes_controller_bad_M3_torque_max = 2025, /* outside its range */
-    differential_gearboxes_controller_bad_M2_speed_ref_rate = 2026, /* outside its range */
-    differential_gearboxes_controller_bad_M3_speed_ref_rate = 2027, /* outside its range */
-    differential_gearboxes_controller_bad_M2_speed_gain = 2028, /* outside its range */
-    differential_gearboxes_controller_bad_M2_speed_integral_gain = 2029, /* outside its range */
-    differential_gearboxes_controller_bad_M3_speed_gain = 2030, /* outside its range */
-    differential_gearboxes_controller_bad_M3_speed_integral_gain = 2031, /* outside its range */
-    differential_gearboxes_controller_bad_gearbox2_ratio = 2032, /* outside its range */
-    differential_gearboxes_controller_bad_gearbox3_ratio = 2033, /* outside its range */
-    differential_gearboxes_controller_bad_M2_inertia = 2034, /* outside its range */
-    differential_gearboxes_controller_bad_gearbox2_inertia = 2035, /* outside its range */
-    differential_gearboxes_controller_bad_M3_inertia = 2036, /* outside its range */
-    differential_gearboxes_controller_bad_gearbox3_inertia = 2037, /* outside its range */
-    differential_gearboxes_controller_bad_M1_sensor_inertia_M2 = 2038, /* outside its range */
-    differential_gearboxes_controller_bad_M1_sensor_inertia_M3 = 2039, /* outside its range */
-    differential_gearboxes_controller_bad_M1_inertia_estimate = 2040, /* outside its range */
-    differential_gearboxes_controller_bad_M1_feedforward = 2041, /* outside its range */
-    differential_gearboxes_controller_bad_M1_torque_gain = 2042, /* outside its range */
-    differential_gearboxes_controller_bad_diff_outputs_torque_ref_rate = 2043, /* outside its range */
-    differential_gearboxes_controller_bad_M1_model_stiffness = 2044, /* outside its range */
-    differential_gearboxes_controller_bad_M1_model_damping = 2045, /* outside its range */
-    differential_gearboxes_controller_bad_M1_torque_model = 2046, /* outside its range */
-    differential_gearboxes_controller_bad_diff_ratio = 2047, /* outside its range */
-    differential_gearboxes_controller_bad_gearbox1_ratio = 2048, /* outside its range */
-    differential_gearboxes_controller_bad_M1_torque_integral_gain = 2049, /* outside its range */
-    differential_gearboxes_controller_bad_M1_damping_reserve = 2050, /* outside its range */
-    differential_gearboxes_controller_bad_M1_torque_integral_limit = 2051, /* outside its range */
+    differential_gearboxes_controller_bad_hold_time = 2002, /* outside its range */
+    differential_gearboxes_controller_bad_diff_outputs_torque_ref_plausible = 2003, /* outside its range */
+    differential_gearboxes_controller_bad_M2_speed_ref_plausible = 2004, /* outside its range */
+    differential_gearboxes_controller_bad_M3_speed_ref_plausible = 2005, /* outside its range */
+    differential_gearboxes_controller_bad_M1_speed_plausible = 2006, /* outside its range */
+    differential_gearboxes_controller_bad_flange2_torque_plausible = 2007, /* outside its range */
+    differential_gearboxes_controller_bad_M2_speed_plausible = 2008, /* outside its range */
+    differential_gearboxes_controller_bad_flange3_torque_plausible = 2009, /* outside its range */
+    differential_gearboxes_controller_bad_M3_speed_plausible = 2010, /* outside its range */
+    differential_gearboxes_controller_bad_M1_overspeed = 2011, /* outside its range */
+    differential_gearboxes_controller_bad_M2_overspeed = 2012, /* outside its range */
+    differential_gearboxes_controller_bad_M3_overspeed = 2013, /* outside its range */
+    differential_gearboxes_controller_bad_disagreement_leak = 2014, /* outside its range */
+    differential_gearboxes_controller_bad_M2_inertia = 2015, /* outside its range */
+    differential_gearboxes_controller_bad_M2_disagreement_limit = 2016, /* outside its range */
+    differential_gearboxes_controller_bad_M2_frozen_limit = 2017, /* outside its range */
+    differential_gearboxes_controller_bad_frozen_time = 2018, /* outside its range */
+    differential_gearboxes_controller_bad_M3_inertia = 2019, /* outside its range */
+    differential_gearboxes_controller_bad_M3_disagreement_limit = 2020, /* outside its range */
+    differential_gearboxes_controller_bad_M3_frozen_limit = 2021, /* outside its range */
+    differential_gearboxes_controller_bad_oscillation_frequency = 2022, /* outside its range */
+    differential_gearboxes_controller_bad_flange2_torque_oscillation_limit = 2023, /* outside its range */
+    differential_gearboxes_controller_bad_flange3_torque_oscillation_limit = 2024, /* outside its range */
+    differential_gearboxes_controller_bad_M1_torque_ref_oscillation_limit = 2025, /* outside its range */
+    differential_gearboxes_controller_bad_M2_torque_ref_oscillation_limit = 2026, /* outside its range */
+    differential_gearboxes_controller_bad_M3_torque_ref_oscillation_limit = 2027, /* outside its range */
+    differential_gearboxes_controller_bad_load_compensation = 2028, /* outside its range */
+    differential_gearboxes_controller_bad_acceleration_torque = 2029, /* outside its range */
+    differential_gearboxes_controller_bad_switch_time = 2030, /* outside its range */
+    differential_gearboxes_controller_bad_M1_damping = 2031, /* outside its range */
+    differential_gearboxes_controller_bad_M1_speed_rated = 2032, /* outside its range */
+    differential_gearboxes_controller_bad_M1_speed_max = 2033, /* outside its range */
+    differential_gearboxes_controller_bad_M1_speed_taper = 2034, /* outside its range */
+    differential_gearboxes_controller_bad_M1_torque_max = 2035, /* outside its range */
+    differential_gearboxes_controller_bad_M2_speed_rated = 2036, /* outside its range */
+    differential_gearboxes_controller_bad_M2_speed_max = 2037, /* outside its range */
+    differential_gearboxes_controller_bad_M2_speed_taper = 2038, /* outside its range */
+    differential_gearboxes_controller_bad_M2_torque_max = 2039, /* outside its range */
+    differential_gearboxes_controller_bad_M3_speed_rated = 2040, /* outside its range */
+    differential_gearboxes_controller_bad_M3_speed_max = 2041, /* outside its range */
+    differential_gearboxes_controller_bad_M3_speed_taper = 2042, /* outside its range */
+    differential_gearboxes_controller_bad_M3_torque_max = 2043, /* outside its range */
+    differential_gearboxes_controller_bad_M2_speed_ref_rate = 2044, /* outside its range */
+    differential_gearboxes_controller_bad_M3_speed_ref_rate = 2045, /* outside its range */
+    differential_gearboxes_controller_bad_M2_speed_gain = 2046, /* outside its range */
+    differential_gearboxes_controller_bad_M2_speed_integral_gain = 2047, /* outside its range */
+    differential_gearboxes_controller_bad_M3_speed_gain = 2048, /* outside its range */
+    differential_gearboxes_controller_bad_M3_speed_integral_gain = 2049, /* outside its range */
+    differential_gearboxes_controller_bad_gearbox2_ratio = 2050, /* outside its range */
+    differential_gearboxes_controller_bad_gearbox3_ratio = 2051, /* outside its range */
+    differential_gearboxes_controller_bad_gearbox2_inertia = 2052, /* outside its range */
+    differential_gearboxes_controller_bad_gearbox3_inertia = 2053, /* outside its range */
+    differential_gearboxes_controller_bad_M1_sensor_inertia_M2 = 2054, /* outside its range */
+    differential_gearboxes_controller_bad_M1_sensor_inertia_M3 = 2055, /* outside its range */
+    differential_gearboxes_controller_bad_M1_inertia_estimate = 2056, /* outside its range */
+    differential_gearboxes_controller_bad_M1_feedforward = 2057, /* outside its range */
+    differential_gearboxes_controller_bad_M1_torque_gain = 2058, /* outside its range */
+    differential_gearboxes_controller_bad_diff_outputs_torque_ref_rate = 2059, /* outside its range */
+    differential_gearboxes_controller_bad_M1_model_stiffness = 2060, /* outside its range */
+    differential_gearboxes_controller_bad_M1_model_damping = 2061, /* outside its range */
+    differential_gearboxes_controller_bad_M1_torque_model = 2062, /* outside its range */
+    differential_gearboxes_controller_bad_diff_ratio = 2063, /* outside its range */
+    differential_gearboxes_controller_bad_gearbox1_ratio = 2064, /* outside its range */
+    differential_gearboxes_controller_bad_M1_torque_integral_gain = 2065, /* outside its range */
+    differential_gearboxes_controller_bad_M1_damping_reserve = 2066, /* outside its range */
+    differential_gearboxes_controller_bad_M1_torque_integral_limit = 2067, /* outside its range */
 } differential_gearboxes_controller_status;
 
 extern const differential_gearboxes_controller_params differential_gearboxes_controller_defaults;

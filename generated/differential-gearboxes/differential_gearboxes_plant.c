@@ -512,8 +512,10 @@ differential_gearboxes_plant_status differential_gearboxes_plant_step(differenti
     /* x+ = x_free + Gamma_f T */
     differential_gearboxes_add_product(23, 2, s->x, x_free, &s->gamma[0][0], mean_torque);
     /* exactly zero while it sticks */
-    s->x[0] = ((p->standstill_speed > differential_gearboxes_abs(w_plus[0])) ? 0.0 : w_plus[0]);
-    s->x[1] = ((p->standstill_speed > differential_gearboxes_abs(w_plus[1])) ? 0.0 : w_plus[1]);
+    s->x[0] = differential_gearboxes_select(p->standstill_speed > differential_gearboxes_abs(w_plus[0]), 0.0,
+        w_plus[0]);
+    s->x[1] = differential_gearboxes_select(p->standstill_speed > differential_gearboxes_abs(w_plus[1]), 0.0,
+        w_plus[1]);
     differential_gearboxes_plant_measure(s, p, out);
     if (s->friction_status == DIFFERENTIAL_GEARBOXES_REAL(-1)) {
         return differential_gearboxes_plant_friction_unsolved;

@@ -47,6 +47,7 @@ int differential_gearboxes_run_init(differential_gearboxes_run *run)
 {
     run->step = 0;
     memset(&run->driven, 0, sizeof run->driven);
+    memset(&run->inputs, 0, sizeof run->inputs);
     for (int k = 0; k < differential_gearboxes_profile_count; ++k) {
         run->cursor[k] = 0;
     }

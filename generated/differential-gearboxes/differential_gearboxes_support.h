@@ -18,7 +18,12 @@ typedef double differential_gearboxes_real;
 
 static inline differential_gearboxes_real differential_gearboxes_min(differential_gearboxes_real a, differential_gearboxes_real b) { return a < b ? a : b; }
 static inline differential_gearboxes_real differential_gearboxes_max(differential_gearboxes_real a, differential_gearboxes_real b) { return a > b ? a : b; }
-static inline differential_gearboxes_real differential_gearboxes_abs(differential_gearboxes_real a) { return a < 0.0 ? -a : a; }
+static inline differential_gearboxes_real differential_gearboxes_abs(differential_gearboxes_real a) { return differential_gearboxes_max(-a, a); }
+/* Both are computed before, so that a step takes nearly the same time whichever is chosen. */
+static inline differential_gearboxes_real differential_gearboxes_select(int condition, differential_gearboxes_real a, differential_gearboxes_real b)
+{
+    return condition ? a : b;
+}
 static inline differential_gearboxes_real differential_gearboxes_sign(differential_gearboxes_real a)
 {
     return a > 0.0 ? 1.0 : (a < 0.0 ? -1.0 : 0.0);
@@ -138,8 +143,44 @@ static inline void differential_gearboxes_guard(differential_gearboxes_real valu
     differential_gearboxes_real *sound)
 {
     const int good = differential_gearboxes_abs(value) <= bound; /* false for NaN */
-    *held = good ? value : before;
-    *sound = good ? 1.0 : 0.0;
+    *held = differential_gearboxes_select(good, value, before);
+    *sound = (differential_gearboxes_real)good;
+}
+
+/* For how long a signal was not sound: a sound step takes back a bad one. `late` is 1 if that is longer than allowed. */
+static inline void differential_gearboxes_lasting(differential_gearboxes_real sound, differential_gearboxes_real time, differential_gearboxes_real step, differential_gearboxes_real allowed,
+    differential_gearboxes_real *after, differential_gearboxes_real *late)
+{
+    const differential_gearboxes_real longer = time + step;
+    const differential_gearboxes_real left = differential_gearboxes_min(time, allowed) - step;
+    const int good = sound > 0.5;
+    const int over = !(longer <= allowed + 0.5 * step); /* 1 for NaN */
+    *after = differential_gearboxes_select(good, differential_gearboxes_max(left, 0.0), longer);
+    *late = (differential_gearboxes_real)(over & !good);
+}
+
+/* For how long `value` has been the same to the last bit. */
+static inline void differential_gearboxes_still(differential_gearboxes_real value, differential_gearboxes_real before, differential_gearboxes_real time, differential_gearboxes_real step,
+    differential_gearboxes_real *after)
+{
+    *after = differential_gearboxes_select(differential_gearboxes_abs(value - before) <= 0.0, time + step, 0.0);
+}
+
+/* The side on which `value` last was beyond `limit` (-1, 0, 1), and the count of changes, less `decay`. */
+static inline void differential_gearboxes_swings(differential_gearboxes_real value, differential_gearboxes_real limit, differential_gearboxes_real side, differential_gearboxes_real count,
+    differential_gearboxes_real decay, differential_gearboxes_real *after, differential_gearboxes_real *swings)
+{
+    const differential_gearboxes_real above = differential_gearboxes_select(value > limit, 1.0, side);
+    const differential_gearboxes_real now = differential_gearboxes_select(value < -limit, -1.0, above);
+    const int changed = differential_gearboxes_abs(now - side) > 0.0;
+    *after = now;
+    *swings = differential_gearboxes_max(count - decay, 0.0) + (differential_gearboxes_real)changed;
+}
+
+/* `value` limited to 0 to 1; 0 for NaN. */
+static inline void differential_gearboxes_share(differential_gearboxes_real value, differential_gearboxes_real *limited)
+{
+    *limited = differential_gearboxes_min(differential_gearboxes_max(value, 0.0), 1.0);
 }
 
 /*

@@ -18,7 +18,12 @@ typedef double differential_output_torque_real;
 
 static inline differential_output_torque_real differential_output_torque_min(differential_output_torque_real a, differential_output_torque_real b) { return a < b ? a : b; }
 static inline differential_output_torque_real differential_output_torque_max(differential_output_torque_real a, differential_output_torque_real b) { return a > b ? a : b; }
-static inline differential_output_torque_real differential_output_torque_abs(differential_output_torque_real a) { return a < 0.0 ? -a : a; }
+static inline differential_output_torque_real differential_output_torque_abs(differential_output_torque_real a) { return differential_output_torque_max(-a, a); }
+/* Both are computed before, so that a step takes nearly the same time whichever is chosen. */
+static inline differential_output_torque_real differential_output_torque_select(int condition, differential_output_torque_real a, differential_output_torque_real b)
+{
+    return condition ? a : b;
+}
 static inline differential_output_torque_real differential_output_torque_sign(differential_output_torque_real a)
 {
     return a > 0.0 ? 1.0 : (a < 0.0 ? -1.0 : 0.0);
@@ -138,8 +143,44 @@ static inline void differential_output_torque_guard(differential_output_torque_r
     differential_output_torque_real *sound)
 {
     const int good = differential_output_torque_abs(value) <= bound; /* false for NaN */
-    *held = good ? value : before;
-    *sound = good ? 1.0 : 0.0;
+    *held = differential_output_torque_select(good, value, before);
+    *sound = (differential_output_torque_real)good;
+}
+
+/* For how long a signal was not sound: a sound step takes back a bad one. `late` is 1 if that is longer than allowed. */
+static inline void differential_output_torque_lasting(differential_output_torque_real sound, differential_output_torque_real time, differential_output_torque_real step, differential_output_torque_real allowed,
+    differential_output_torque_real *after, differential_output_torque_real *late)
+{
+    const differential_output_torque_real longer = time + step;
+    const differential_output_torque_real left = differential_output_torque_min(time, allowed) - step;
+    const int good = sound > 0.5;
+    const int over = !(longer <= allowed + 0.5 * step); /* 1 for NaN */
+    *after = differential_output_torque_select(good, differential_output_torque_max(left, 0.0), longer);
+    *late = (differential_output_torque_real)(over & !good);
+}
+
+/* For how long `value` has been the same to the last bit. */
+static inline void differential_output_torque_still(differential_output_torque_real value, differential_output_torque_real before, differential_output_torque_real time, differential_output_torque_real step,
+    differential_output_torque_real *after)
+{
+    *after = differential_output_torque_select(differential_output_torque_abs(value - before) <= 0.0, time + step, 0.0);
+}
+
+/* The side on which `value` last was beyond `limit` (-1, 0, 1), and the count of changes, less `decay`. */
+static inline void differential_output_torque_swings(differential_output_torque_real value, differential_output_torque_real limit, differential_output_torque_real side, differential_output_torque_real count,
+    differential_output_torque_real decay, differential_output_torque_real *after, differential_output_torque_real *swings)
+{
+    const differential_output_torque_real above = differential_output_torque_select(value > limit, 1.0, side);
+    const differential_output_torque_real now = differential_output_torque_select(value < -limit, -1.0, above);
+    const int changed = differential_output_torque_abs(now - side) > 0.0;
+    *after = now;
+    *swings = differential_output_torque_max(count - decay, 0.0) + (differential_output_torque_real)changed;
+}
+
+/* `value` limited to 0 to 1; 0 for NaN. */
+static inline void differential_output_torque_share(differential_output_torque_real value, differential_output_torque_real *limited)
+{
+    *limited = differential_output_torque_min(differential_output_torque_max(value, 0.0), 1.0);
 }
 
 /*

@@ -453,8 +453,8 @@ differential_plant_status differential_plant_step(differential_plant_state *s, c
     /* x+ = x_free + Gamma_f T */
     differential_add_product(17, 2, s->x, x_free, &s->gamma[0][0], mean_torque);
     /* exactly zero while it sticks */
-    s->x[0] = ((p->standstill_speed > differential_abs(w_plus[0])) ? 0.0 : w_plus[0]);
-    s->x[1] = ((p->standstill_speed > differential_abs(w_plus[1])) ? 0.0 : w_plus[1]);
+    s->x[0] = differential_select(p->standstill_speed > differential_abs(w_plus[0]), 0.0, w_plus[0]);
+    s->x[1] = differential_select(p->standstill_speed > differential_abs(w_plus[1]), 0.0, w_plus[1]);
     differential_plant_measure(s, p, out);
     if (s->friction_status == DIFFERENTIAL_REAL(-1)) {
         return differential_plant_friction_unsolved;

@@ -18,7 +18,12 @@ typedef double differential_real;
 
 static inline differential_real differential_min(differential_real a, differential_real b) { return a < b ? a : b; }
 static inline differential_real differential_max(differential_real a, differential_real b) { return a > b ? a : b; }
-static inline differential_real differential_abs(differential_real a) { return a < 0.0 ? -a : a; }
+static inline differential_real differential_abs(differential_real a) { return differential_max(-a, a); }
+/* Both are computed before, so that a step takes nearly the same time whichever is chosen. */
+static inline differential_real differential_select(int condition, differential_real a, differential_real b)
+{
+    return condition ? a : b;
+}
 static inline differential_real differential_sign(differential_real a)
 {
     return a > 0.0 ? 1.0 : (a < 0.0 ? -1.0 : 0.0);
@@ -138,8 +143,44 @@ static inline void differential_guard(differential_real value, differential_real
     differential_real *sound)
 {
     const int good = differential_abs(value) <= bound; /* false for NaN */
-    *held = good ? value : before;
-    *sound = good ? 1.0 : 0.0;
+    *held = differential_select(good, value, before);
+    *sound = (differential_real)good;
+}
+
+/* For how long a signal was not sound: a sound step takes back a bad one. `late` is 1 if that is longer than allowed. */
+static inline void differential_lasting(differential_real sound, differential_real time, differential_real step, differential_real allowed,
+    differential_real *after, differential_real *late)
+{
+    const differential_real longer = time + step;
+    const differential_real left = differential_min(time, allowed) - step;
+    const int good = sound > 0.5;
+    const int over = !(longer <= allowed + 0.5 * step); /* 1 for NaN */
+    *after = differential_select(good, differential_max(left, 0.0), longer);
+    *late = (differential_real)(over & !good);
+}
+
+/* For how long `value` has been the same to the last bit. */
+static inline void differential_still(differential_real value, differential_real before, differential_real time, differential_real step,
+    differential_real *after)
+{
+    *after = differential_select(differential_abs(value - before) <= 0.0, time + step, 0.0);
+}
+
+/* The side on which `value` last was beyond `limit` (-1, 0, 1), and the count of changes, less `decay`. */
+static inline void differential_swings(differential_real value, differential_real limit, differential_real side, differential_real count,
+    differential_real decay, differential_real *after, differential_real *swings)
+{
+    const differential_real above = differential_select(value > limit, 1.0, side);
+    const differential_real now = differential_select(value < -limit, -1.0, above);
+    const int changed = differential_abs(now - side) > 0.0;
+    *after = now;
+    *swings = differential_max(count - decay, 0.0) + (differential_real)changed;
+}
+
+/* `value` limited to 0 to 1; 0 for NaN. */
+static inline void differential_share(differential_real value, differential_real *limited)
+{
+    *limited = differential_min(differential_max(value, 0.0), 1.0);
 }
 
 /*
