@@ -15,6 +15,14 @@ from ptgen.simulate.library import Library
 FAST = 1e9
 """A rate that limits nothing."""
 
+_UNWATCHED = ("_disagreement_limit", "_frozen_limit", "_oscillation_limit")
+
+
+def free(block: Block) -> dict[str, float]:
+    """Return parameters with which no reference is limited in its rate, and inputs need not belong to a bed."""
+    rates = {s.name: FAST for s in block.parameters if s.name.endswith("_ref_rate")}
+    return rates | {s.name: 1e30 for s in block.parameters if s.name.endswith(_UNWATCHED)}
+
 
 @dataclass
 class Controller:
@@ -30,8 +38,7 @@ class Controller:
 
     def set(self, changes: Mapping[str, float]) -> None:
         """Take parameters that differ from the defaults."""
-        rates = {s.name: FAST for s in self.block.parameters if s.name.endswith("_ref_rate")}
-        values = {name: np.array(value, dtype=float) for name, value in {**rates, **changes}.items()}
+        values = {name: np.array(value, dtype=float) for name, value in {**free(self.block), **changes}.items()}
         assert not set(values) - {s.name for s in self.block.parameters}
         self.parameters = {**self.evaluator.defaults(), **values}
         self.derived = self.evaluator.prepare(self.parameters)
@@ -53,8 +60,7 @@ class Compiled:
 
     def __init__(self, library: Library, changes: Mapping[str, float]) -> None:
         self.block = library.controller
-        rates = {s.name: FAST for s in self.block.block.parameters if s.name.endswith("_ref_rate")}
-        self.parameters = self.block.parameters({**rates, **changes})
+        self.parameters = self.block.parameters({**free(self.block.block), **changes})
         status, self.memory = self.block.init(self.parameters)
         assert status == 0, self.block.status_text(status)
         self.inputs, self.outputs = self.block.inputs_type(), self.block.outputs_type()

@@ -54,7 +54,8 @@ def test_a_reference_moves_no_faster_than_its_rate_and_arrives(start: float, end
 
 def test_a_flying_start_and_a_start_after_a_fault_do_not_brake() -> None:
     """The references of the first step are where the bed is, so nothing is asked for that was not wanted."""
-    controller = Controller(PLAIN.controller, {"M2_speed_ref_rate": 1.0, "M3_speed_ref_rate": 1.0})
+    rates = {"M2_speed_ref_rate": 1.0, "M3_speed_ref_rate": 1.0}
+    controller = Controller(PLAIN.controller, {**rates, "hold_time": 0.0})
     turning = {"M1_speed": 95.5, "M2_speed": 50.0, "M3_speed": 50.0, "M2_speed_ref": 50.0, "M3_speed_ref": 50.0}
     assert controller.step(**turning) == pytest.approx(
         dict.fromkeys(("M1_torque_ref", "M2_torque_ref", "M3_torque_ref"), 0.0)
