@@ -12,6 +12,7 @@
 const all_wheel_drive_controller_params all_wheel_drive_controller_defaults = {
     .sample_time = 0.0001,
     .fault_ramp = 0.05,
+    .hold_time = 0.001,
     .centre_input_torque_ref_plausible = 15000.0,
     .M2_speed_ref_plausible = 471.2388980384685,
     .M3_speed_ref_plausible = 471.2388980384685,
@@ -27,6 +28,11 @@ const all_wheel_drive_controller_params all_wheel_drive_controller_defaults = {
     .M4_speed_plausible = 471.2388980384685,
     .flange5_torque_plausible = 12000.0,
     .M5_speed_plausible = 471.2388980384685,
+    .M1_overspeed = 921.5,
+    .M2_overspeed = 345.6,
+    .M3_overspeed = 345.6,
+    .M4_overspeed = 345.6,
+    .M5_overspeed = 345.6,
     .load_compensation = 1.0,
     .acceleration_torque = 1.0,
     .switch_time = 0.5,
@@ -51,6 +57,34 @@ const all_wheel_drive_controller_params all_wheel_drive_controller_defaults = {
     .M5_speed_max = 314.159265358979,
     .M5_speed_taper = 15.708,
     .M5_torque_max = 2400.0,
+    .disagreement_leak = 5.0,
+    .M1_inertia = 0.5,
+    .M1_disagreement_limit = 72.0,
+    .M1_frozen_limit = 18.0,
+    .frozen_time = 0.01,
+    .M2_inertia = 2.5,
+    .M2_disagreement_limit = 38.4,
+    .M2_frozen_limit = 9.6,
+    .M3_inertia = 2.5,
+    .M3_disagreement_limit = 38.4,
+    .M3_frozen_limit = 9.6,
+    .M4_inertia = 2.5,
+    .M4_disagreement_limit = 38.4,
+    .M4_frozen_limit = 9.6,
+    .M5_inertia = 2.5,
+    .M5_disagreement_limit = 38.4,
+    .M5_frozen_limit = 9.6,
+    .oscillation_frequency = 9.0,
+    .flange1_torque_oscillation_limit = 900.0,
+    .flange2_torque_oscillation_limit = 2400.0,
+    .flange3_torque_oscillation_limit = 2400.0,
+    .flange4_torque_oscillation_limit = 2400.0,
+    .flange5_torque_oscillation_limit = 2400.0,
+    .M1_torque_ref_oscillation_limit = 450.0,
+    .M2_torque_ref_oscillation_limit = 1200.0,
+    .M3_torque_ref_oscillation_limit = 1200.0,
+    .M4_torque_ref_oscillation_limit = 1200.0,
+    .M5_torque_ref_oscillation_limit = 1200.0,
     .M2_speed_ref_rate = 960.0,
     .M3_speed_ref_rate = 960.0,
     .M4_speed_ref_rate = 960.0,
@@ -64,13 +98,9 @@ const all_wheel_drive_controller_params all_wheel_drive_controller_defaults = {
     .M5_speed_gain = 50.0,
     .M5_speed_integral_gain = 250.0,
     .M1_sensor_inertia_M2 = -0.016,
-    .M2_inertia = 2.5,
     .M1_sensor_inertia_M3 = -0.016,
-    .M3_inertia = 2.5,
     .M1_sensor_inertia_M4 = -0.016,
-    .M4_inertia = 2.5,
     .M1_sensor_inertia_M5 = -0.016,
-    .M5_inertia = 2.5,
     .M1_inertia_estimate = 0.52,
     .M1_feedforward = 1.0,
     .M1_torque_gain = 0.0,
@@ -89,6 +119,7 @@ const all_wheel_drive_controller_params all_wheel_drive_controller_defaults = {
 const all_wheel_drive_controller_params all_wheel_drive_controller_conventional = {
     .sample_time = 0.0001,
     .fault_ramp = 0.05,
+    .hold_time = 0.001,
     .centre_input_torque_ref_plausible = 15000.0,
     .M2_speed_ref_plausible = 471.2388980384685,
     .M3_speed_ref_plausible = 471.2388980384685,
@@ -104,6 +135,11 @@ const all_wheel_drive_controller_params all_wheel_drive_controller_conventional 
     .M4_speed_plausible = 471.2388980384685,
     .flange5_torque_plausible = 12000.0,
     .M5_speed_plausible = 471.2388980384685,
+    .M1_overspeed = 921.5,
+    .M2_overspeed = 345.6,
+    .M3_overspeed = 345.6,
+    .M4_overspeed = 345.6,
+    .M5_overspeed = 345.6,
     .load_compensation = 0.0,
     .acceleration_torque = 0.0,
     .switch_time = 0.5,
@@ -128,6 +164,34 @@ const all_wheel_drive_controller_params all_wheel_drive_controller_conventional 
     .M5_speed_max = 314.159265358979,
     .M5_speed_taper = 15.708,
     .M5_torque_max = 2400.0,
+    .disagreement_leak = 5.0,
+    .M1_inertia = 0.5,
+    .M1_disagreement_limit = 72.0,
+    .M1_frozen_limit = 18.0,
+    .frozen_time = 0.01,
+    .M2_inertia = 2.5,
+    .M2_disagreement_limit = 38.4,
+    .M2_frozen_limit = 9.6,
+    .M3_inertia = 2.5,
+    .M3_disagreement_limit = 38.4,
+    .M3_frozen_limit = 9.6,
+    .M4_inertia = 2.5,
+    .M4_disagreement_limit = 38.4,
+    .M4_frozen_limit = 9.6,
+    .M5_inertia = 2.5,
+    .M5_disagreement_limit = 38.4,
+    .M5_frozen_limit = 9.6,
+    .oscillation_frequency = 9.0,
+    .flange1_torque_oscillation_limit = 900.0,
+    .flange2_torque_oscillation_limit = 2400.0,
+    .flange3_torque_oscillation_limit = 2400.0,
+    .flange4_torque_oscillation_limit = 2400.0,
+    .flange5_torque_oscillation_limit = 2400.0,
+    .M1_torque_ref_oscillation_limit = 450.0,
+    .M2_torque_ref_oscillation_limit = 1200.0,
+    .M3_torque_ref_oscillation_limit = 1200.0,
+    .M4_torque_ref_oscillation_limit = 1200.0,
+    .M5_torque_ref_oscillation_limit = 1200.0,
     .M2_speed_ref_rate = 960.0,
     .M3_speed_ref_rate = 960.0,
     .M4_speed_ref_rate = 960.0,
@@ -141,13 +205,9 @@ const all_wheel_drive_controller_params all_wheel_drive_controller_conventional 
     .M5_speed_gain = 50.0,
     .M5_speed_integral_gain = 250.0,
     .M1_sensor_inertia_M2 = -0.016,
-    .M2_inertia = 2.5,
     .M1_sensor_inertia_M3 = -0.016,
-    .M3_inertia = 2.5,
     .M1_sensor_inertia_M4 = -0.016,
-    .M4_inertia = 2.5,
     .M1_sensor_inertia_M5 = -0.016,
-    .M5_inertia = 2.5,
     .M1_inertia_estimate = 0.52,
     .M1_feedforward = 1.0,
     .M1_torque_gain = 0.0,
@@ -174,6 +234,7 @@ static const struct {
 } limits[] = {
     { "the parameter sample_time is outside its range", offsetof(all_wheel_drive_controller_params, sample_time), 0.0, DBL_MAX, 1, 0 },
     { "the parameter fault_ramp is outside its range", offsetof(all_wheel_drive_controller_params, fault_ramp), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter hold_time is outside its range", offsetof(all_wheel_drive_controller_params, hold_time), 0.0, DBL_MAX, 0, 0 },
     { "the parameter centre_input_torque_ref_plausible is outside its range", offsetof(all_wheel_drive_controller_params, centre_input_torque_ref_plausible), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M2_speed_ref_plausible is outside its range", offsetof(all_wheel_drive_controller_params, M2_speed_ref_plausible), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M3_speed_ref_plausible is outside its range", offsetof(all_wheel_drive_controller_params, M3_speed_ref_plausible), 0.0, DBL_MAX, 1, 0 },
@@ -189,6 +250,11 @@ static const struct {
     { "the parameter M4_speed_plausible is outside its range", offsetof(all_wheel_drive_controller_params, M4_speed_plausible), 0.0, DBL_MAX, 1, 0 },
     { "the parameter flange5_torque_plausible is outside its range", offsetof(all_wheel_drive_controller_params, flange5_torque_plausible), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M5_speed_plausible is outside its range", offsetof(all_wheel_drive_controller_params, M5_speed_plausible), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_overspeed is outside its range", offsetof(all_wheel_drive_controller_params, M1_overspeed), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_overspeed is outside its range", offsetof(all_wheel_drive_controller_params, M2_overspeed), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M3_overspeed is outside its range", offsetof(all_wheel_drive_controller_params, M3_overspeed), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M4_overspeed is outside its range", offsetof(all_wheel_drive_controller_params, M4_overspeed), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M5_overspeed is outside its range", offsetof(all_wheel_drive_controller_params, M5_overspeed), 0.0, DBL_MAX, 1, 0 },
     { "the parameter load_compensation is outside its range", offsetof(all_wheel_drive_controller_params, load_compensation), 0.0, 1.0, 0, 0 },
     { "the parameter acceleration_torque is outside its range", offsetof(all_wheel_drive_controller_params, acceleration_torque), 0.0, 1.0, 0, 0 },
     { "the parameter switch_time is outside its range", offsetof(all_wheel_drive_controller_params, switch_time), 0.0, DBL_MAX, 1, 0 },
@@ -196,23 +262,51 @@ static const struct {
     { "the parameter M1_speed_rated is outside its range", offsetof(all_wheel_drive_controller_params, M1_speed_rated), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M1_speed_max is outside its range", offsetof(all_wheel_drive_controller_params, M1_speed_max), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M1_speed_taper is outside its range", offsetof(all_wheel_drive_controller_params, M1_speed_taper), 0.0, DBL_MAX, 1, 0 },
-    { "the parameter M1_torque_max is outside its range", offsetof(all_wheel_drive_controller_params, M1_torque_max), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_torque_max is outside its range", offsetof(all_wheel_drive_controller_params, M1_torque_max), 0.0, 900.0, 1, 0 },
     { "the parameter M2_speed_rated is outside its range", offsetof(all_wheel_drive_controller_params, M2_speed_rated), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M2_speed_max is outside its range", offsetof(all_wheel_drive_controller_params, M2_speed_max), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M2_speed_taper is outside its range", offsetof(all_wheel_drive_controller_params, M2_speed_taper), 0.0, DBL_MAX, 1, 0 },
-    { "the parameter M2_torque_max is outside its range", offsetof(all_wheel_drive_controller_params, M2_torque_max), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_torque_max is outside its range", offsetof(all_wheel_drive_controller_params, M2_torque_max), 0.0, 2400.0, 1, 0 },
     { "the parameter M3_speed_rated is outside its range", offsetof(all_wheel_drive_controller_params, M3_speed_rated), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M3_speed_max is outside its range", offsetof(all_wheel_drive_controller_params, M3_speed_max), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M3_speed_taper is outside its range", offsetof(all_wheel_drive_controller_params, M3_speed_taper), 0.0, DBL_MAX, 1, 0 },
-    { "the parameter M3_torque_max is outside its range", offsetof(all_wheel_drive_controller_params, M3_torque_max), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M3_torque_max is outside its range", offsetof(all_wheel_drive_controller_params, M3_torque_max), 0.0, 2400.0, 1, 0 },
     { "the parameter M4_speed_rated is outside its range", offsetof(all_wheel_drive_controller_params, M4_speed_rated), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M4_speed_max is outside its range", offsetof(all_wheel_drive_controller_params, M4_speed_max), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M4_speed_taper is outside its range", offsetof(all_wheel_drive_controller_params, M4_speed_taper), 0.0, DBL_MAX, 1, 0 },
-    { "the parameter M4_torque_max is outside its range", offsetof(all_wheel_drive_controller_params, M4_torque_max), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M4_torque_max is outside its range", offsetof(all_wheel_drive_controller_params, M4_torque_max), 0.0, 2400.0, 1, 0 },
     { "the parameter M5_speed_rated is outside its range", offsetof(all_wheel_drive_controller_params, M5_speed_rated), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M5_speed_max is outside its range", offsetof(all_wheel_drive_controller_params, M5_speed_max), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M5_speed_taper is outside its range", offsetof(all_wheel_drive_controller_params, M5_speed_taper), 0.0, DBL_MAX, 1, 0 },
-    { "the parameter M5_torque_max is outside its range", offsetof(all_wheel_drive_controller_params, M5_torque_max), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M5_torque_max is outside its range", offsetof(all_wheel_drive_controller_params, M5_torque_max), 0.0, 2400.0, 1, 0 },
+    { "the parameter disagreement_leak is outside its range", offsetof(all_wheel_drive_controller_params, disagreement_leak), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter M1_inertia is outside its range", offsetof(all_wheel_drive_controller_params, M1_inertia), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_disagreement_limit is outside its range", offsetof(all_wheel_drive_controller_params, M1_disagreement_limit), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_frozen_limit is outside its range", offsetof(all_wheel_drive_controller_params, M1_frozen_limit), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter frozen_time is outside its range", offsetof(all_wheel_drive_controller_params, frozen_time), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter M2_inertia is outside its range", offsetof(all_wheel_drive_controller_params, M2_inertia), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_disagreement_limit is outside its range", offsetof(all_wheel_drive_controller_params, M2_disagreement_limit), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_frozen_limit is outside its range", offsetof(all_wheel_drive_controller_params, M2_frozen_limit), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M3_inertia is outside its range", offsetof(all_wheel_drive_controller_params, M3_inertia), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M3_disagreement_limit is outside its range", offsetof(all_wheel_drive_controller_params, M3_disagreement_limit), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M3_frozen_limit is outside its range", offsetof(all_wheel_drive_controller_params, M3_frozen_limit), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M4_inertia is outside its range", offsetof(all_wheel_drive_controller_params, M4_inertia), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M4_disagreement_limit is outside its range", offsetof(all_wheel_drive_controller_params, M4_disagreement_limit), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M4_frozen_limit is outside its range", offsetof(all_wheel_drive_controller_params, M4_frozen_limit), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M5_inertia is outside its range", offsetof(all_wheel_drive_controller_params, M5_inertia), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M5_disagreement_limit is outside its range", offsetof(all_wheel_drive_controller_params, M5_disagreement_limit), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M5_frozen_limit is outside its range", offsetof(all_wheel_drive_controller_params, M5_frozen_limit), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter oscillation_frequency is outside its range", offsetof(all_wheel_drive_controller_params, oscillation_frequency), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter flange1_torque_oscillation_limit is outside its range", offsetof(all_wheel_drive_controller_params, flange1_torque_oscillation_limit), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter flange2_torque_oscillation_limit is outside its range", offsetof(all_wheel_drive_controller_params, flange2_torque_oscillation_limit), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter flange3_torque_oscillation_limit is outside its range", offsetof(all_wheel_drive_controller_params, flange3_torque_oscillation_limit), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter flange4_torque_oscillation_limit is outside its range", offsetof(all_wheel_drive_controller_params, flange4_torque_oscillation_limit), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter flange5_torque_oscillation_limit is outside its range", offsetof(all_wheel_drive_controller_params, flange5_torque_oscillation_limit), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_torque_ref_oscillation_limit is outside its range", offsetof(all_wheel_drive_controller_params, M1_torque_ref_oscillation_limit), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_torque_ref_oscillation_limit is outside its range", offsetof(all_wheel_drive_controller_params, M2_torque_ref_oscillation_limit), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M3_torque_ref_oscillation_limit is outside its range", offsetof(all_wheel_drive_controller_params, M3_torque_ref_oscillation_limit), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M4_torque_ref_oscillation_limit is outside its range", offsetof(all_wheel_drive_controller_params, M4_torque_ref_oscillation_limit), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M5_torque_ref_oscillation_limit is outside its range", offsetof(all_wheel_drive_controller_params, M5_torque_ref_oscillation_limit), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M2_speed_ref_rate is outside its range", offsetof(all_wheel_drive_controller_params, M2_speed_ref_rate), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M3_speed_ref_rate is outside its range", offsetof(all_wheel_drive_controller_params, M3_speed_ref_rate), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M4_speed_ref_rate is outside its range", offsetof(all_wheel_drive_controller_params, M4_speed_ref_rate), 0.0, DBL_MAX, 1, 0 },
@@ -226,13 +320,9 @@ static const struct {
     { "the parameter M5_speed_gain is outside its range", offsetof(all_wheel_drive_controller_params, M5_speed_gain), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M5_speed_integral_gain is outside its range", offsetof(all_wheel_drive_controller_params, M5_speed_integral_gain), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M1_sensor_inertia_M2 is outside its range", offsetof(all_wheel_drive_controller_params, M1_sensor_inertia_M2), -DBL_MAX, DBL_MAX, 0, 0 },
-    { "the parameter M2_inertia is outside its range", offsetof(all_wheel_drive_controller_params, M2_inertia), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M1_sensor_inertia_M3 is outside its range", offsetof(all_wheel_drive_controller_params, M1_sensor_inertia_M3), -DBL_MAX, DBL_MAX, 0, 0 },
-    { "the parameter M3_inertia is outside its range", offsetof(all_wheel_drive_controller_params, M3_inertia), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M1_sensor_inertia_M4 is outside its range", offsetof(all_wheel_drive_controller_params, M1_sensor_inertia_M4), -DBL_MAX, DBL_MAX, 0, 0 },
-    { "the parameter M4_inertia is outside its range", offsetof(all_wheel_drive_controller_params, M4_inertia), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M1_sensor_inertia_M5 is outside its range", offsetof(all_wheel_drive_controller_params, M1_sensor_inertia_M5), -DBL_MAX, DBL_MAX, 0, 0 },
-    { "the parameter M5_inertia is outside its range", offsetof(all_wheel_drive_controller_params, M5_inertia), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M1_inertia_estimate is outside its range", offsetof(all_wheel_drive_controller_params, M1_inertia_estimate), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M1_feedforward is outside its range", offsetof(all_wheel_drive_controller_params, M1_feedforward), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M1_torque_gain is outside its range", offsetof(all_wheel_drive_controller_params, M1_torque_gain), -1.0, DBL_MAX, 1, 0 },
@@ -256,45 +346,105 @@ const char *all_wheel_drive_controller_status_text(all_wheel_drive_controller_st
     case all_wheel_drive_controller_ok:
         return "ok";
     case all_wheel_drive_controller_fault_centre_input_torque_ref:
-        return "fault: centre_input_torque_ref was not finite or not plausible";
+        return "centre_input_torque_ref: not finite or not plausible";
     case all_wheel_drive_controller_fault_M2_speed_ref:
-        return "fault: M2_speed_ref was not finite or not plausible";
+        return "M2_speed_ref: not finite or not plausible";
     case all_wheel_drive_controller_fault_M3_speed_ref:
-        return "fault: M3_speed_ref was not finite or not plausible";
+        return "M3_speed_ref: not finite or not plausible";
     case all_wheel_drive_controller_fault_M4_speed_ref:
-        return "fault: M4_speed_ref was not finite or not plausible";
+        return "M4_speed_ref: not finite or not plausible";
     case all_wheel_drive_controller_fault_M5_speed_ref:
-        return "fault: M5_speed_ref was not finite or not plausible";
+        return "M5_speed_ref: not finite or not plausible";
     case all_wheel_drive_controller_fault_M1_speed:
-        return "fault: M1_speed was not finite or not plausible";
+        return "M1_speed: not finite or not plausible";
     case all_wheel_drive_controller_fault_flange1_torque:
-        return "fault: flange1_torque was not finite or not plausible";
+        return "flange1_torque: not finite or not plausible";
     case all_wheel_drive_controller_fault_flange2_torque:
-        return "fault: flange2_torque was not finite or not plausible";
+        return "flange2_torque: not finite or not plausible";
     case all_wheel_drive_controller_fault_M2_speed:
-        return "fault: M2_speed was not finite or not plausible";
+        return "M2_speed: not finite or not plausible";
     case all_wheel_drive_controller_fault_flange3_torque:
-        return "fault: flange3_torque was not finite or not plausible";
+        return "flange3_torque: not finite or not plausible";
     case all_wheel_drive_controller_fault_M3_speed:
-        return "fault: M3_speed was not finite or not plausible";
+        return "M3_speed: not finite or not plausible";
     case all_wheel_drive_controller_fault_flange4_torque:
-        return "fault: flange4_torque was not finite or not plausible";
+        return "flange4_torque: not finite or not plausible";
     case all_wheel_drive_controller_fault_M4_speed:
-        return "fault: M4_speed was not finite or not plausible";
+        return "M4_speed: not finite or not plausible";
     case all_wheel_drive_controller_fault_flange5_torque:
-        return "fault: flange5_torque was not finite or not plausible";
+        return "flange5_torque: not finite or not plausible";
     case all_wheel_drive_controller_fault_M5_speed:
-        return "fault: M5_speed was not finite or not plausible";
+        return "M5_speed: not finite or not plausible";
+    case all_wheel_drive_controller_fault_M1_speed_overspeed:
+        return "M1_speed: overspeed";
+    case all_wheel_drive_controller_fault_M2_speed_overspeed:
+        return "M2_speed: overspeed";
+    case all_wheel_drive_controller_fault_M3_speed_overspeed:
+        return "M3_speed: overspeed";
+    case all_wheel_drive_controller_fault_M4_speed_overspeed:
+        return "M4_speed: overspeed";
+    case all_wheel_drive_controller_fault_M5_speed_overspeed:
+        return "M5_speed: overspeed";
+    case all_wheel_drive_controller_fault_M1_speed_frozen:
+        return "M1_speed: frozen while the torques accelerate the machine";
+    case all_wheel_drive_controller_fault_M1_speed_disagreement:
+        return "M1_speed: disagrees with the integrated torque";
+    case all_wheel_drive_controller_fault_flange1_torque_frozen:
+        return "flange1_torque: frozen while the torque of the machine changes";
+    case all_wheel_drive_controller_fault_M2_speed_frozen:
+        return "M2_speed: frozen while the torques accelerate the machine";
+    case all_wheel_drive_controller_fault_M2_speed_disagreement:
+        return "M2_speed: disagrees with the integrated torque";
+    case all_wheel_drive_controller_fault_flange2_torque_frozen:
+        return "flange2_torque: frozen while the torque of the machine changes";
+    case all_wheel_drive_controller_fault_M3_speed_frozen:
+        return "M3_speed: frozen while the torques accelerate the machine";
+    case all_wheel_drive_controller_fault_M3_speed_disagreement:
+        return "M3_speed: disagrees with the integrated torque";
+    case all_wheel_drive_controller_fault_flange3_torque_frozen:
+        return "flange3_torque: frozen while the torque of the machine changes";
+    case all_wheel_drive_controller_fault_M4_speed_frozen:
+        return "M4_speed: frozen while the torques accelerate the machine";
+    case all_wheel_drive_controller_fault_M4_speed_disagreement:
+        return "M4_speed: disagrees with the integrated torque";
+    case all_wheel_drive_controller_fault_flange4_torque_frozen:
+        return "flange4_torque: frozen while the torque of the machine changes";
+    case all_wheel_drive_controller_fault_M5_speed_frozen:
+        return "M5_speed: frozen while the torques accelerate the machine";
+    case all_wheel_drive_controller_fault_M5_speed_disagreement:
+        return "M5_speed: disagrees with the integrated torque";
+    case all_wheel_drive_controller_fault_flange5_torque_frozen:
+        return "flange5_torque: frozen while the torque of the machine changes";
+    case all_wheel_drive_controller_fault_flange1_torque_oscillation:
+        return "flange1_torque: oscillates beyond its limit";
+    case all_wheel_drive_controller_fault_flange2_torque_oscillation:
+        return "flange2_torque: oscillates beyond its limit";
+    case all_wheel_drive_controller_fault_flange3_torque_oscillation:
+        return "flange3_torque: oscillates beyond its limit";
+    case all_wheel_drive_controller_fault_flange4_torque_oscillation:
+        return "flange4_torque: oscillates beyond its limit";
+    case all_wheel_drive_controller_fault_flange5_torque_oscillation:
+        return "flange5_torque: oscillates beyond its limit";
+    case all_wheel_drive_controller_fault_M1_torque_ref_oscillation:
+        return "M1_torque_ref: the command oscillates";
+    case all_wheel_drive_controller_fault_M2_torque_ref_oscillation:
+        return "M2_torque_ref: the command oscillates";
+    case all_wheel_drive_controller_fault_M3_torque_ref_oscillation:
+        return "M3_torque_ref: the command oscillates";
+    case all_wheel_drive_controller_fault_M4_torque_ref_oscillation:
+        return "M4_torque_ref: the command oscillates";
+    case all_wheel_drive_controller_fault_M5_torque_ref_oscillation:
+        return "M5_torque_ref: the command oscillates";
     case all_wheel_drive_controller_fault_M1_torque_ref:
-        return "fault: M1_torque_ref was not finite or not plausible";
+        return "M1_torque_ref: the command is not finite, or beyond the torque of the machine";
     case all_wheel_drive_controller_fault_M2_torque_ref:
-        return "fault: M2_torque_ref was not finite or not plausible";
+        return "M2_torque_ref: the command is not finite, or beyond the torque of the machine";
     case all_wheel_drive_controller_fault_M3_torque_ref:
-        return "fault: M3_torque_ref was not finite or not plausible";
+        return "M3_torque_ref: the command is not finite, or beyond the torque of the machine";
     case all_wheel_drive_controller_fault_M4_torque_ref:
-        return "fault: M4_torque_ref was not finite or not plausible";
+        return "M4_torque_ref: the command is not finite, or beyond the torque of the machine";
     case all_wheel_drive_controller_fault_M5_torque_ref:
-        return "fault: M5_torque_ref was not finite or not plausible";
+        return "M5_torque_ref: the command is not finite, or beyond the torque of the machine";
     default:
         break;
     }
@@ -306,6 +456,22 @@ all_wheel_drive_controller_status all_wheel_drive_controller_init(all_wheel_driv
 {
     memset(s, 0, sizeof *s);
     s->authority = 1.0;
+    s->centre_input_torque_ref_bad_time = 1e+30;
+    s->M2_speed_ref_bad_time = 1e+30;
+    s->M3_speed_ref_bad_time = 1e+30;
+    s->M4_speed_ref_bad_time = 1e+30;
+    s->M5_speed_ref_bad_time = 1e+30;
+    s->M1_speed_bad_time = 1e+30;
+    s->flange1_torque_bad_time = 1e+30;
+    s->flange2_torque_bad_time = 1e+30;
+    s->M2_speed_bad_time = 1e+30;
+    s->flange3_torque_bad_time = 1e+30;
+    s->M3_speed_bad_time = 1e+30;
+    s->flange4_torque_bad_time = 1e+30;
+    s->M4_speed_bad_time = 1e+30;
+    s->flange5_torque_bad_time = 1e+30;
+    s->M5_speed_bad_time = 1e+30;
+    s->reset_before = 1.0;
     const all_wheel_drive_controller_status status = all_wheel_drive_controller_update(s, p);
     if (status != all_wheel_drive_controller_ok) {
         s->authority = 0.0; /* never started: no torque at all */
@@ -320,6 +486,7 @@ all_wheel_drive_controller_status all_wheel_drive_controller_update(all_wheel_dr
         const int above = limits[k].open ? value > limits[k].least : value >= limits[k].least; /* false for NaN */
         if (!(above && value <= limits[k].most) || (limits[k].not_zero && value == 0.0)) {
             s->fault = s->fault > 0.0 ? s->fault : ALL_WHEEL_DRIVE_REAL(2000 + k); /* latched like any fault */
+            s->refused = 1.0; /* no reset before an update succeeds */
             return (all_wheel_drive_controller_status)(2000 + k);
         }
     }
@@ -334,6 +501,16 @@ all_wheel_drive_controller_status all_wheel_drive_controller_update(all_wheel_dr
     s->M4_taper_end = p->M4_speed_max / p->M4_speed_taper + 1.0;
     s->M5_taper_slope = 1.0 / p->M5_speed_taper;
     s->M5_taper_end = p->M5_speed_max / p->M5_speed_taper + 1.0;
+    s->disagreement_share = p->disagreement_leak * p->sample_time;
+    s->M1_per_step = p->sample_time / p->M1_inertia;
+    s->M1_balance_share = p->M1_inertia / p->M1_inertia_estimate;
+    s->M1_balance_flange1_torque = -p->M1_inertia / p->M1_inertia_estimate;
+    s->M2_per_step = p->sample_time / p->M2_inertia;
+    s->M3_per_step = p->sample_time / p->M3_inertia;
+    s->M4_per_step = p->sample_time / p->M4_inertia;
+    s->M5_per_step = p->sample_time / p->M5_inertia;
+    s->forgotten_swings = p->oscillation_frequency * p->sample_time;
+    s->mean_share = 6.2832 * p->oscillation_frequency * p->sample_time;
     s->M2_speed_ref_step = p->M2_speed_ref_rate * p->sample_time;
     s->M3_speed_ref_step = p->M3_speed_ref_rate * p->sample_time;
     s->M4_speed_ref_step = p->M4_speed_ref_rate * p->sample_time;
@@ -362,112 +539,246 @@ all_wheel_drive_controller_status all_wheel_drive_controller_update(all_wheel_dr
     s->M1_twist_M4_speed = (0.25) * p->centre_ratio * p->rear_ratio;
     s->M1_twist_M5_speed = (0.25) * p->centre_ratio * p->rear_ratio;
     s->M1_torque_growth = p->M1_torque_integral_gain * p->sample_time;
+    s->M1_largest = 1.01 * all_wheel_drive_min(900.0, p->M1_torque_max);
+    s->M2_largest = 1.01 * all_wheel_drive_min(2400.0, p->M2_torque_max);
+    s->M3_largest = 1.01 * all_wheel_drive_min(2400.0, p->M3_torque_max);
+    s->M4_largest = 1.01 * all_wheel_drive_min(2400.0, p->M4_torque_max);
+    s->M5_largest = 1.01 * all_wheel_drive_min(2400.0, p->M5_torque_max);
+    s->ramp_step = p->sample_time / p->fault_ramp;
+    s->refused = 0.0;
     return all_wheel_drive_controller_ok;
 }
 
 all_wheel_drive_controller_status all_wheel_drive_controller_step(all_wheel_drive_controller_state *s, const all_wheel_drive_controller_params *p,
     const all_wheel_drive_controller_inputs *in, all_wheel_drive_controller_outputs *out)
 {
-    /* supervision */
+    /* supervision: bad samples are bridged */
     all_wheel_drive_real centre_input_torque_ref_sound;
     all_wheel_drive_guard(in->centre_input_torque_ref, p->centre_input_torque_ref_plausible,
         s->centre_input_torque_ref_held, &s->centre_input_torque_ref_held, &centre_input_torque_ref_sound);
+    all_wheel_drive_real centre_input_torque_ref_lost;
+    all_wheel_drive_lasting(centre_input_torque_ref_sound, s->centre_input_torque_ref_bad_time, p->sample_time,
+        p->hold_time, &s->centre_input_torque_ref_bad_time, &centre_input_torque_ref_lost);
+    const all_wheel_drive_real cause_fault_centre_input_torque_ref =
+        all_wheel_drive_select(centre_input_torque_ref_lost > 0.0, 1.0, 9999.0);
     all_wheel_drive_real M2_speed_ref_sound;
     all_wheel_drive_guard(in->M2_speed_ref, p->M2_speed_ref_plausible, s->M2_speed_ref_held, &s->M2_speed_ref_held,
         &M2_speed_ref_sound);
+    all_wheel_drive_real M2_speed_ref_lost;
+    all_wheel_drive_lasting(M2_speed_ref_sound, s->M2_speed_ref_bad_time, p->sample_time, p->hold_time,
+        &s->M2_speed_ref_bad_time, &M2_speed_ref_lost);
+    const all_wheel_drive_real cause_fault_M2_speed_ref = all_wheel_drive_select(M2_speed_ref_lost > 0.0, 2.0,
+        9999.0);
     all_wheel_drive_real M3_speed_ref_sound;
     all_wheel_drive_guard(in->M3_speed_ref, p->M3_speed_ref_plausible, s->M3_speed_ref_held, &s->M3_speed_ref_held,
         &M3_speed_ref_sound);
+    all_wheel_drive_real M3_speed_ref_lost;
+    all_wheel_drive_lasting(M3_speed_ref_sound, s->M3_speed_ref_bad_time, p->sample_time, p->hold_time,
+        &s->M3_speed_ref_bad_time, &M3_speed_ref_lost);
+    const all_wheel_drive_real cause_fault_M3_speed_ref = all_wheel_drive_select(M3_speed_ref_lost > 0.0, 3.0,
+        9999.0);
     all_wheel_drive_real M4_speed_ref_sound;
     all_wheel_drive_guard(in->M4_speed_ref, p->M4_speed_ref_plausible, s->M4_speed_ref_held, &s->M4_speed_ref_held,
         &M4_speed_ref_sound);
+    all_wheel_drive_real M4_speed_ref_lost;
+    all_wheel_drive_lasting(M4_speed_ref_sound, s->M4_speed_ref_bad_time, p->sample_time, p->hold_time,
+        &s->M4_speed_ref_bad_time, &M4_speed_ref_lost);
+    const all_wheel_drive_real cause_fault_M4_speed_ref = all_wheel_drive_select(M4_speed_ref_lost > 0.0, 4.0,
+        9999.0);
     all_wheel_drive_real M5_speed_ref_sound;
     all_wheel_drive_guard(in->M5_speed_ref, p->M5_speed_ref_plausible, s->M5_speed_ref_held, &s->M5_speed_ref_held,
         &M5_speed_ref_sound);
+    all_wheel_drive_real M5_speed_ref_lost;
+    all_wheel_drive_lasting(M5_speed_ref_sound, s->M5_speed_ref_bad_time, p->sample_time, p->hold_time,
+        &s->M5_speed_ref_bad_time, &M5_speed_ref_lost);
+    const all_wheel_drive_real cause_fault_M5_speed_ref = all_wheel_drive_select(M5_speed_ref_lost > 0.0, 5.0,
+        9999.0);
     all_wheel_drive_real M1_speed_sound;
     all_wheel_drive_guard(in->M1_speed, p->M1_speed_plausible, s->M1_speed_held, &s->M1_speed_held,
         &M1_speed_sound);
+    all_wheel_drive_real M1_speed_lost;
+    all_wheel_drive_lasting(M1_speed_sound, s->M1_speed_bad_time, p->sample_time, p->hold_time,
+        &s->M1_speed_bad_time, &M1_speed_lost);
+    const all_wheel_drive_real cause_fault_M1_speed = all_wheel_drive_select(M1_speed_lost > 0.0, 6.0, 9999.0);
     all_wheel_drive_real flange1_torque_sound;
     all_wheel_drive_guard(in->flange1_torque, p->flange1_torque_plausible, s->flange1_torque_held,
         &s->flange1_torque_held, &flange1_torque_sound);
+    all_wheel_drive_real flange1_torque_lost;
+    all_wheel_drive_lasting(flange1_torque_sound, s->flange1_torque_bad_time, p->sample_time, p->hold_time,
+        &s->flange1_torque_bad_time, &flange1_torque_lost);
+    const all_wheel_drive_real cause_fault_flange1_torque = all_wheel_drive_select(flange1_torque_lost > 0.0, 7.0,
+        9999.0);
     all_wheel_drive_real flange2_torque_sound;
     all_wheel_drive_guard(in->flange2_torque, p->flange2_torque_plausible, s->flange2_torque_held,
         &s->flange2_torque_held, &flange2_torque_sound);
+    all_wheel_drive_real flange2_torque_lost;
+    all_wheel_drive_lasting(flange2_torque_sound, s->flange2_torque_bad_time, p->sample_time, p->hold_time,
+        &s->flange2_torque_bad_time, &flange2_torque_lost);
+    const all_wheel_drive_real cause_fault_flange2_torque = all_wheel_drive_select(flange2_torque_lost > 0.0, 8.0,
+        9999.0);
     all_wheel_drive_real M2_speed_sound;
     all_wheel_drive_guard(in->M2_speed, p->M2_speed_plausible, s->M2_speed_held, &s->M2_speed_held,
         &M2_speed_sound);
+    all_wheel_drive_real M2_speed_lost;
+    all_wheel_drive_lasting(M2_speed_sound, s->M2_speed_bad_time, p->sample_time, p->hold_time,
+        &s->M2_speed_bad_time, &M2_speed_lost);
+    const all_wheel_drive_real cause_fault_M2_speed = all_wheel_drive_select(M2_speed_lost > 0.0, 9.0, 9999.0);
     all_wheel_drive_real flange3_torque_sound;
     all_wheel_drive_guard(in->flange3_torque, p->flange3_torque_plausible, s->flange3_torque_held,
         &s->flange3_torque_held, &flange3_torque_sound);
+    all_wheel_drive_real flange3_torque_lost;
+    all_wheel_drive_lasting(flange3_torque_sound, s->flange3_torque_bad_time, p->sample_time, p->hold_time,
+        &s->flange3_torque_bad_time, &flange3_torque_lost);
+    const all_wheel_drive_real cause_fault_flange3_torque = all_wheel_drive_select(flange3_torque_lost > 0.0, 10.0,
+        9999.0);
     all_wheel_drive_real M3_speed_sound;
     all_wheel_drive_guard(in->M3_speed, p->M3_speed_plausible, s->M3_speed_held, &s->M3_speed_held,
         &M3_speed_sound);
+    all_wheel_drive_real M3_speed_lost;
+    all_wheel_drive_lasting(M3_speed_sound, s->M3_speed_bad_time, p->sample_time, p->hold_time,
+        &s->M3_speed_bad_time, &M3_speed_lost);
+    const all_wheel_drive_real cause_fault_M3_speed = all_wheel_drive_select(M3_speed_lost > 0.0, 11.0, 9999.0);
     all_wheel_drive_real flange4_torque_sound;
     all_wheel_drive_guard(in->flange4_torque, p->flange4_torque_plausible, s->flange4_torque_held,
         &s->flange4_torque_held, &flange4_torque_sound);
+    all_wheel_drive_real flange4_torque_lost;
+    all_wheel_drive_lasting(flange4_torque_sound, s->flange4_torque_bad_time, p->sample_time, p->hold_time,
+        &s->flange4_torque_bad_time, &flange4_torque_lost);
+    const all_wheel_drive_real cause_fault_flange4_torque = all_wheel_drive_select(flange4_torque_lost > 0.0, 12.0,
+        9999.0);
     all_wheel_drive_real M4_speed_sound;
     all_wheel_drive_guard(in->M4_speed, p->M4_speed_plausible, s->M4_speed_held, &s->M4_speed_held,
         &M4_speed_sound);
+    all_wheel_drive_real M4_speed_lost;
+    all_wheel_drive_lasting(M4_speed_sound, s->M4_speed_bad_time, p->sample_time, p->hold_time,
+        &s->M4_speed_bad_time, &M4_speed_lost);
+    const all_wheel_drive_real cause_fault_M4_speed = all_wheel_drive_select(M4_speed_lost > 0.0, 13.0, 9999.0);
     all_wheel_drive_real flange5_torque_sound;
     all_wheel_drive_guard(in->flange5_torque, p->flange5_torque_plausible, s->flange5_torque_held,
         &s->flange5_torque_held, &flange5_torque_sound);
+    all_wheel_drive_real flange5_torque_lost;
+    all_wheel_drive_lasting(flange5_torque_sound, s->flange5_torque_bad_time, p->sample_time, p->hold_time,
+        &s->flange5_torque_bad_time, &flange5_torque_lost);
+    const all_wheel_drive_real cause_fault_flange5_torque = all_wheel_drive_select(flange5_torque_lost > 0.0, 14.0,
+        9999.0);
     all_wheel_drive_real M5_speed_sound;
     all_wheel_drive_guard(in->M5_speed, p->M5_speed_plausible, s->M5_speed_held, &s->M5_speed_held,
         &M5_speed_sound);
+    all_wheel_drive_real M5_speed_lost;
+    all_wheel_drive_lasting(M5_speed_sound, s->M5_speed_bad_time, p->sample_time, p->hold_time,
+        &s->M5_speed_bad_time, &M5_speed_lost);
+    const all_wheel_drive_real cause_fault_M5_speed = all_wheel_drive_select(M5_speed_lost > 0.0, 15.0, 9999.0);
+    /* overspeed */
+    const all_wheel_drive_real M1_slow_enough = all_wheel_drive_select(p->M1_overspeed >=
+        all_wheel_drive_abs(s->M1_speed_held), 1.0, 0.0);
+    all_wheel_drive_real M1_too_fast;
+    all_wheel_drive_lasting(M1_slow_enough, s->M1_overspeed_time, p->sample_time, p->hold_time,
+        &s->M1_overspeed_time, &M1_too_fast);
+    const all_wheel_drive_real cause_fault_M1_speed_overspeed = all_wheel_drive_select(M1_too_fast > 0.0, 4006.0,
+        9999.0);
+    const all_wheel_drive_real M2_slow_enough = all_wheel_drive_select(p->M2_overspeed >=
+        all_wheel_drive_abs(s->M2_speed_held), 1.0, 0.0);
+    all_wheel_drive_real M2_too_fast;
+    all_wheel_drive_lasting(M2_slow_enough, s->M2_overspeed_time, p->sample_time, p->hold_time,
+        &s->M2_overspeed_time, &M2_too_fast);
+    const all_wheel_drive_real cause_fault_M2_speed_overspeed = all_wheel_drive_select(M2_too_fast > 0.0, 4009.0,
+        9999.0);
+    const all_wheel_drive_real M3_slow_enough = all_wheel_drive_select(p->M3_overspeed >=
+        all_wheel_drive_abs(s->M3_speed_held), 1.0, 0.0);
+    all_wheel_drive_real M3_too_fast;
+    all_wheel_drive_lasting(M3_slow_enough, s->M3_overspeed_time, p->sample_time, p->hold_time,
+        &s->M3_overspeed_time, &M3_too_fast);
+    const all_wheel_drive_real cause_fault_M3_speed_overspeed = all_wheel_drive_select(M3_too_fast > 0.0, 4011.0,
+        9999.0);
+    const all_wheel_drive_real M4_slow_enough = all_wheel_drive_select(p->M4_overspeed >=
+        all_wheel_drive_abs(s->M4_speed_held), 1.0, 0.0);
+    all_wheel_drive_real M4_too_fast;
+    all_wheel_drive_lasting(M4_slow_enough, s->M4_overspeed_time, p->sample_time, p->hold_time,
+        &s->M4_overspeed_time, &M4_too_fast);
+    const all_wheel_drive_real cause_fault_M4_speed_overspeed = all_wheel_drive_select(M4_too_fast > 0.0, 4013.0,
+        9999.0);
+    const all_wheel_drive_real M5_slow_enough = all_wheel_drive_select(p->M5_overspeed >=
+        all_wheel_drive_abs(s->M5_speed_held), 1.0, 0.0);
+    all_wheel_drive_real M5_too_fast;
+    all_wheel_drive_lasting(M5_slow_enough, s->M5_overspeed_time, p->sample_time, p->hold_time,
+        &s->M5_overspeed_time, &M5_too_fast);
+    const all_wheel_drive_real cause_fault_M5_speed_overspeed = all_wheel_drive_select(M5_too_fast > 0.0, 4015.0,
+        9999.0);
+    /* reset on request, when the cause is gone */
+    const all_wheel_drive_real reset_pressed = all_wheel_drive_select(all_wheel_drive_abs(in->reset - 1.0) <= 0.5,
+        1.0, 0.0);
+    const all_wheel_drive_real inputs_sound =
+        all_wheel_drive_min(all_wheel_drive_min(all_wheel_drive_min(all_wheel_drive_min(all_wheel_drive_min(M1_slow_enough,
+        M1_speed_sound), all_wheel_drive_min(M2_slow_enough, M2_speed_ref_sound)),
+        all_wheel_drive_min(all_wheel_drive_min(M2_speed_sound, M3_slow_enough),
+        all_wheel_drive_min(M3_speed_ref_sound, M3_speed_sound))),
+        all_wheel_drive_min(all_wheel_drive_min(all_wheel_drive_min(M4_slow_enough, M4_speed_ref_sound),
+        all_wheel_drive_min(M4_speed_sound, M5_slow_enough)),
+        all_wheel_drive_min(all_wheel_drive_min(M5_speed_ref_sound, M5_speed_sound),
+        all_wheel_drive_min(centre_input_torque_ref_sound, flange1_torque_sound)))),
+        all_wheel_drive_min(all_wheel_drive_min(flange2_torque_sound, flange3_torque_sound),
+        all_wheel_drive_min(flange4_torque_sound, flange5_torque_sound)));
+    const all_wheel_drive_real latched = all_wheel_drive_select(s->fault > 0.5, 1.0, 0.0);
+    s->reset_request = inputs_sound * latched * (1.0 - s->refused) * all_wheel_drive_max(s->reset_request,
+        -s->reset_before + reset_pressed);
+    s->reset_before = reset_pressed;
+    s->fault = s->fault * (1.0 - all_wheel_drive_select(s->authority <= 0.0, s->reset_request, 0.0));
+    s->reset_request = all_wheel_drive_select(s->fault > 0.5, s->reset_request, 0.0);
     /* the first fault is latched */
-    s->fault = ((centre_input_torque_ref_sound < 0.5 && s->fault < 0.5) ? 1.0 : s->fault);
-    s->fault = ((M2_speed_ref_sound < 0.5 && s->fault < 0.5) ? 2.0 : s->fault);
-    s->fault = ((M3_speed_ref_sound < 0.5 && s->fault < 0.5) ? 3.0 : s->fault);
-    s->fault = ((M4_speed_ref_sound < 0.5 && s->fault < 0.5) ? 4.0 : s->fault);
-    s->fault = ((M5_speed_ref_sound < 0.5 && s->fault < 0.5) ? 5.0 : s->fault);
-    s->fault = ((M1_speed_sound < 0.5 && s->fault < 0.5) ? 6.0 : s->fault);
-    s->fault = ((s->fault < 0.5 && flange1_torque_sound < 0.5) ? 7.0 : s->fault);
-    s->fault = ((s->fault < 0.5 && flange2_torque_sound < 0.5) ? 8.0 : s->fault);
-    s->fault = ((M2_speed_sound < 0.5 && s->fault < 0.5) ? 9.0 : s->fault);
-    s->fault = ((s->fault < 0.5 && flange3_torque_sound < 0.5) ? 10.0 : s->fault);
-    s->fault = ((M3_speed_sound < 0.5 && s->fault < 0.5) ? 11.0 : s->fault);
-    s->fault = ((s->fault < 0.5 && flange4_torque_sound < 0.5) ? 12.0 : s->fault);
-    s->fault = ((M4_speed_sound < 0.5 && s->fault < 0.5) ? 13.0 : s->fault);
-    s->fault = ((s->fault < 0.5 && flange5_torque_sound < 0.5) ? 14.0 : s->fault);
-    s->fault = ((M5_speed_sound < 0.5 && s->fault < 0.5) ? 15.0 : s->fault);
+    const all_wheel_drive_real cause_of_inputs =
+        all_wheel_drive_min(all_wheel_drive_min(all_wheel_drive_min(all_wheel_drive_min(all_wheel_drive_min(cause_fault_M1_speed,
+        cause_fault_M1_speed_overspeed), all_wheel_drive_min(cause_fault_M2_speed, cause_fault_M2_speed_overspeed)),
+        all_wheel_drive_min(all_wheel_drive_min(cause_fault_M2_speed_ref, cause_fault_M3_speed),
+        all_wheel_drive_min(cause_fault_M3_speed_overspeed, cause_fault_M3_speed_ref))),
+        all_wheel_drive_min(all_wheel_drive_min(all_wheel_drive_min(cause_fault_M4_speed,
+        cause_fault_M4_speed_overspeed), all_wheel_drive_min(cause_fault_M4_speed_ref, cause_fault_M5_speed)),
+        all_wheel_drive_min(all_wheel_drive_min(cause_fault_M5_speed_overspeed, cause_fault_M5_speed_ref),
+        all_wheel_drive_min(cause_fault_centre_input_torque_ref, cause_fault_flange1_torque)))),
+        all_wheel_drive_min(all_wheel_drive_min(cause_fault_flange2_torque, cause_fault_flange3_torque),
+        all_wheel_drive_min(cause_fault_flange4_torque, cause_fault_flange5_torque)));
+    s->fault = all_wheel_drive_select(s->fault > 0.5, s->fault, all_wheel_drive_select(cause_of_inputs > 9998.0,
+        0.0, cause_of_inputs));
     /* load_compensation follows its parameter along a ramp */
-    const all_wheel_drive_real load_compensation_before = ((s->running > 0.5) ? s->load_compensation_now :
-        p->load_compensation);
+    const all_wheel_drive_real load_compensation_before = all_wheel_drive_select(s->running > 0.5,
+        s->load_compensation_now, p->load_compensation);
     const all_wheel_drive_real load_compensation_distance = p->load_compensation - load_compensation_before;
-    const all_wheel_drive_real load_compensation_moved = ((p->load_compensation != s->load_compensation_target) ?
-        all_wheel_drive_max(s->switch_share * all_wheel_drive_abs(load_compensation_distance), 1e-06 *
-        all_wheel_drive_abs(p->load_compensation) + 1e-06 * all_wheel_drive_abs(load_compensation_before)) :
-        s->load_compensation_step);
-    s->load_compensation_now = ((load_compensation_moved >= all_wheel_drive_abs(load_compensation_distance)) ?
-        p->load_compensation : ((load_compensation_distance > 0.0) ? load_compensation_before +
-        load_compensation_moved : load_compensation_before - load_compensation_moved));
-    s->load_compensation_step = ((load_compensation_moved >= all_wheel_drive_abs(load_compensation_distance)) ? 0.0
-        : load_compensation_moved);
+    const all_wheel_drive_real load_compensation_moved = all_wheel_drive_select(p->load_compensation !=
+        s->load_compensation_target, all_wheel_drive_max(s->switch_share *
+        all_wheel_drive_abs(load_compensation_distance), 1e-06 * all_wheel_drive_abs(p->load_compensation) + 1e-06 *
+        all_wheel_drive_abs(load_compensation_before)), s->load_compensation_step);
+    s->load_compensation_now = all_wheel_drive_select(load_compensation_distance > load_compensation_moved,
+        load_compensation_before + load_compensation_moved, all_wheel_drive_select(load_compensation_distance <
+        -load_compensation_moved, load_compensation_before - load_compensation_moved, p->load_compensation));
+    s->load_compensation_step = all_wheel_drive_select(load_compensation_moved <
+        all_wheel_drive_abs(load_compensation_distance), load_compensation_moved, 0.0);
     s->load_compensation_target = p->load_compensation;
     /* acceleration_torque follows its parameter along a ramp */
-    const all_wheel_drive_real acceleration_torque_before = ((s->running > 0.5) ? s->acceleration_torque_now :
-        p->acceleration_torque);
+    const all_wheel_drive_real acceleration_torque_before = all_wheel_drive_select(s->running > 0.5,
+        s->acceleration_torque_now, p->acceleration_torque);
     const all_wheel_drive_real acceleration_torque_distance = p->acceleration_torque - acceleration_torque_before;
-    const all_wheel_drive_real acceleration_torque_moved = ((p->acceleration_torque !=
-        s->acceleration_torque_target) ? all_wheel_drive_max(s->switch_share *
+    const all_wheel_drive_real acceleration_torque_moved = all_wheel_drive_select(p->acceleration_torque !=
+        s->acceleration_torque_target, all_wheel_drive_max(s->switch_share *
         all_wheel_drive_abs(acceleration_torque_distance), 1e-06 * all_wheel_drive_abs(p->acceleration_torque) +
-        1e-06 * all_wheel_drive_abs(acceleration_torque_before)) : s->acceleration_torque_step);
-    s->acceleration_torque_now = ((acceleration_torque_moved >= all_wheel_drive_abs(acceleration_torque_distance)) ?
-        p->acceleration_torque : ((acceleration_torque_distance > 0.0) ? acceleration_torque_before +
-        acceleration_torque_moved : acceleration_torque_before - acceleration_torque_moved));
-    s->acceleration_torque_step = ((acceleration_torque_moved >= all_wheel_drive_abs(acceleration_torque_distance))
-        ? 0.0 : acceleration_torque_moved);
+        1e-06 * all_wheel_drive_abs(acceleration_torque_before)), s->acceleration_torque_step);
+    s->acceleration_torque_now = all_wheel_drive_select(acceleration_torque_distance > acceleration_torque_moved,
+        acceleration_torque_before + acceleration_torque_moved, all_wheel_drive_select(acceleration_torque_distance
+        < -acceleration_torque_moved, acceleration_torque_before - acceleration_torque_moved,
+        p->acceleration_torque));
+    s->acceleration_torque_step = all_wheel_drive_select(acceleration_torque_moved <
+        all_wheel_drive_abs(acceleration_torque_distance), acceleration_torque_moved, 0.0);
     s->acceleration_torque_target = p->acceleration_torque;
     /* M1_damping follows its parameter along a ramp */
-    const all_wheel_drive_real M1_damping_before = ((s->running > 0.5) ? s->M1_damping_now : p->M1_damping);
+    const all_wheel_drive_real M1_damping_before = all_wheel_drive_select(s->running > 0.5, s->M1_damping_now,
+        p->M1_damping);
     const all_wheel_drive_real M1_damping_distance = p->M1_damping - M1_damping_before;
-    const all_wheel_drive_real M1_damping_moved = ((p->M1_damping != s->M1_damping_target) ?
+    const all_wheel_drive_real M1_damping_moved = all_wheel_drive_select(p->M1_damping != s->M1_damping_target,
         all_wheel_drive_max(s->switch_share * all_wheel_drive_abs(M1_damping_distance), 1e-06 *
-        all_wheel_drive_abs(p->M1_damping) + 1e-06 * all_wheel_drive_abs(M1_damping_before)) : s->M1_damping_step);
-    s->M1_damping_now = ((M1_damping_moved >= all_wheel_drive_abs(M1_damping_distance)) ? p->M1_damping :
-        ((M1_damping_distance > 0.0) ? M1_damping_before + M1_damping_moved : M1_damping_before -
-        M1_damping_moved));
-    s->M1_damping_step = ((M1_damping_moved >= all_wheel_drive_abs(M1_damping_distance)) ? 0.0 : M1_damping_moved);
+        all_wheel_drive_abs(p->M1_damping) + 1e-06 * all_wheel_drive_abs(M1_damping_before)), s->M1_damping_step);
+    s->M1_damping_now = all_wheel_drive_select(M1_damping_distance > M1_damping_moved, M1_damping_before +
+        M1_damping_moved, all_wheel_drive_select(M1_damping_distance < -M1_damping_moved, M1_damping_before -
+        M1_damping_moved, p->M1_damping));
+    s->M1_damping_step = all_wheel_drive_select(M1_damping_moved < all_wheel_drive_abs(M1_damping_distance),
+        M1_damping_moved, 0.0);
     s->M1_damping_target = p->M1_damping;
     /* torque-speed envelope, Figure 7.1 */
     const all_wheel_drive_real M1_available = p->M1_speed_rated * p->M1_torque_max /
@@ -500,21 +811,303 @@ all_wheel_drive_controller_status all_wheel_drive_controller_step(all_wheel_driv
         s->M5_speed_held * s->M5_taper_slope + s->M5_taper_end));
     const all_wheel_drive_real M5_most = M5_available * all_wheel_drive_max(0.0, all_wheel_drive_min(1.0,
         -s->M5_speed_held * s->M5_taper_slope + s->M5_taper_end));
-    /* limit of the rate */
-    const all_wheel_drive_real M2_speed_ref_before = ((s->running > 0.5) ? s->M2_speed_ref_limited :
+    /* torque commands of the step before */
+    const all_wheel_drive_real M1_applied = s->M1_last * s->authority;
+    const all_wheel_drive_real M2_applied = s->M2_last * s->authority;
+    const all_wheel_drive_real M3_applied = s->M3_last * s->authority;
+    const all_wheel_drive_real M4_applied = s->M4_last * s->authority;
+    const all_wheel_drive_real M5_applied = s->M5_last * s->authority;
+    /* speed from the torques on the rotor */
+    const all_wheel_drive_real M1_integrated_before = all_wheel_drive_select(s->running > 0.5, s->M1_integrated,
+        s->M1_speed_held);
+    s->M1_integrated = M1_integrated_before + s->M1_per_step * (M1_applied * s->M1_balance_share +
+        s->M1_balance_flange1_torque * s->flange1_torque_held) + s->disagreement_share * (-M1_integrated_before +
+        s->M1_speed_held);
+    const all_wheel_drive_real M1_difference = all_wheel_drive_abs(s->M1_integrated - s->M1_speed_held);
+    /* speed against torques */
+    const all_wheel_drive_real M1_agrees = all_wheel_drive_select(M1_difference <= p->M1_disagreement_limit, 1.0,
+        0.0);
+    all_wheel_drive_real M1_disagrees;
+    all_wheel_drive_lasting(M1_agrees, s->M1_disagreement_time, p->sample_time, p->hold_time,
+        &s->M1_disagreement_time, &M1_disagrees);
+    /* M1_speed to the last bit */
+    all_wheel_drive_still(s->M1_speed_held, s->M1_speed_before, s->M1_speed_still_time, p->sample_time,
+        &s->M1_speed_still_time);
+    s->M1_speed_before = s->M1_speed_held;
+    const all_wheel_drive_real cause_fault_M1_speed_frozen =
+        all_wheel_drive_select(all_wheel_drive_min(M1_difference - p->M1_frozen_limit, s->M1_speed_still_time -
+        p->frozen_time) > 0.0, 3006.0, 9999.0);
+    const all_wheel_drive_real cause_fault_M1_speed_disagreement = all_wheel_drive_select(M1_disagrees > 0.0,
+        5006.0, 9999.0);
+    /* flange1_torque to the last bit */
+    all_wheel_drive_still(s->flange1_torque_held, s->flange1_torque_before, s->flange1_torque_still_time,
+        p->sample_time, &s->flange1_torque_still_time);
+    s->flange1_torque_before = s->flange1_torque_held;
+    s->flange1_torque_command = all_wheel_drive_select(s->flange1_torque_still_time > 0.0,
+        s->flange1_torque_command, M1_applied);
+    const all_wheel_drive_real cause_fault_flange1_torque_frozen =
+        all_wheel_drive_select(all_wheel_drive_min(all_wheel_drive_min(M1_difference - p->M1_frozen_limit,
+        s->flange1_torque_still_time - p->frozen_time), -0.05 * p->M1_torque_max + all_wheel_drive_abs(M1_applied -
+        s->flange1_torque_command)) > 0.0, 3007.0, 9999.0);
+    /* speed from the torques on the rotor */
+    const all_wheel_drive_real M2_integrated_before = all_wheel_drive_select(s->running > 0.5, s->M2_integrated,
         s->M2_speed_held);
+    s->M2_integrated = M2_integrated_before + s->M2_per_step * (M2_applied + s->flange2_torque_held) +
+        s->disagreement_share * (-M2_integrated_before + s->M2_speed_held);
+    const all_wheel_drive_real M2_difference = all_wheel_drive_abs(s->M2_integrated - s->M2_speed_held);
+    /* speed against torques */
+    const all_wheel_drive_real M2_agrees = all_wheel_drive_select(M2_difference <= p->M2_disagreement_limit, 1.0,
+        0.0);
+    all_wheel_drive_real M2_disagrees;
+    all_wheel_drive_lasting(M2_agrees, s->M2_disagreement_time, p->sample_time, p->hold_time,
+        &s->M2_disagreement_time, &M2_disagrees);
+    /* M2_speed to the last bit */
+    all_wheel_drive_still(s->M2_speed_held, s->M2_speed_before, s->M2_speed_still_time, p->sample_time,
+        &s->M2_speed_still_time);
+    s->M2_speed_before = s->M2_speed_held;
+    const all_wheel_drive_real cause_fault_M2_speed_frozen =
+        all_wheel_drive_select(all_wheel_drive_min(M2_difference - p->M2_frozen_limit, s->M2_speed_still_time -
+        p->frozen_time) > 0.0, 3009.0, 9999.0);
+    const all_wheel_drive_real cause_fault_M2_speed_disagreement = all_wheel_drive_select(M2_disagrees > 0.0,
+        5009.0, 9999.0);
+    /* flange2_torque to the last bit */
+    all_wheel_drive_still(s->flange2_torque_held, s->flange2_torque_before, s->flange2_torque_still_time,
+        p->sample_time, &s->flange2_torque_still_time);
+    s->flange2_torque_before = s->flange2_torque_held;
+    s->flange2_torque_command = all_wheel_drive_select(s->flange2_torque_still_time > 0.0,
+        s->flange2_torque_command, M2_applied);
+    const all_wheel_drive_real cause_fault_flange2_torque_frozen =
+        all_wheel_drive_select(all_wheel_drive_min(all_wheel_drive_min(M2_difference - p->M2_frozen_limit,
+        s->flange2_torque_still_time - p->frozen_time), -0.05 * p->M2_torque_max + all_wheel_drive_abs(M2_applied -
+        s->flange2_torque_command)) > 0.0, 3008.0, 9999.0);
+    /* speed from the torques on the rotor */
+    const all_wheel_drive_real M3_integrated_before = all_wheel_drive_select(s->running > 0.5, s->M3_integrated,
+        s->M3_speed_held);
+    s->M3_integrated = M3_integrated_before + s->M3_per_step * (M3_applied + s->flange3_torque_held) +
+        s->disagreement_share * (-M3_integrated_before + s->M3_speed_held);
+    const all_wheel_drive_real M3_difference = all_wheel_drive_abs(s->M3_integrated - s->M3_speed_held);
+    /* speed against torques */
+    const all_wheel_drive_real M3_agrees = all_wheel_drive_select(M3_difference <= p->M3_disagreement_limit, 1.0,
+        0.0);
+    all_wheel_drive_real M3_disagrees;
+    all_wheel_drive_lasting(M3_agrees, s->M3_disagreement_time, p->sample_time, p->hold_time,
+        &s->M3_disagreement_time, &M3_disagrees);
+    /* M3_speed to the last bit */
+    all_wheel_drive_still(s->M3_speed_held, s->M3_speed_before, s->M3_speed_still_time, p->sample_time,
+        &s->M3_speed_still_time);
+    s->M3_speed_before = s->M3_speed_held;
+    const all_wheel_drive_real cause_fault_M3_speed_frozen =
+        all_wheel_drive_select(all_wheel_drive_min(M3_difference - p->M3_frozen_limit, s->M3_speed_still_time -
+        p->frozen_time) > 0.0, 3011.0, 9999.0);
+    const all_wheel_drive_real cause_fault_M3_speed_disagreement = all_wheel_drive_select(M3_disagrees > 0.0,
+        5011.0, 9999.0);
+    /* flange3_torque to the last bit */
+    all_wheel_drive_still(s->flange3_torque_held, s->flange3_torque_before, s->flange3_torque_still_time,
+        p->sample_time, &s->flange3_torque_still_time);
+    s->flange3_torque_before = s->flange3_torque_held;
+    s->flange3_torque_command = all_wheel_drive_select(s->flange3_torque_still_time > 0.0,
+        s->flange3_torque_command, M3_applied);
+    const all_wheel_drive_real cause_fault_flange3_torque_frozen =
+        all_wheel_drive_select(all_wheel_drive_min(all_wheel_drive_min(M3_difference - p->M3_frozen_limit,
+        s->flange3_torque_still_time - p->frozen_time), -0.05 * p->M3_torque_max + all_wheel_drive_abs(M3_applied -
+        s->flange3_torque_command)) > 0.0, 3010.0, 9999.0);
+    /* speed from the torques on the rotor */
+    const all_wheel_drive_real M4_integrated_before = all_wheel_drive_select(s->running > 0.5, s->M4_integrated,
+        s->M4_speed_held);
+    s->M4_integrated = M4_integrated_before + s->M4_per_step * (M4_applied + s->flange4_torque_held) +
+        s->disagreement_share * (-M4_integrated_before + s->M4_speed_held);
+    const all_wheel_drive_real M4_difference = all_wheel_drive_abs(s->M4_integrated - s->M4_speed_held);
+    /* speed against torques */
+    const all_wheel_drive_real M4_agrees = all_wheel_drive_select(M4_difference <= p->M4_disagreement_limit, 1.0,
+        0.0);
+    all_wheel_drive_real M4_disagrees;
+    all_wheel_drive_lasting(M4_agrees, s->M4_disagreement_time, p->sample_time, p->hold_time,
+        &s->M4_disagreement_time, &M4_disagrees);
+    /* M4_speed to the last bit */
+    all_wheel_drive_still(s->M4_speed_held, s->M4_speed_before, s->M4_speed_still_time, p->sample_time,
+        &s->M4_speed_still_time);
+    s->M4_speed_before = s->M4_speed_held;
+    const all_wheel_drive_real cause_fault_M4_speed_frozen =
+        all_wheel_drive_select(all_wheel_drive_min(M4_difference - p->M4_frozen_limit, s->M4_speed_still_time -
+        p->frozen_time) > 0.0, 3013.0, 9999.0);
+    const all_wheel_drive_real cause_fault_M4_speed_disagreement = all_wheel_drive_select(M4_disagrees > 0.0,
+        5013.0, 9999.0);
+    /* flange4_torque to the last bit */
+    all_wheel_drive_still(s->flange4_torque_held, s->flange4_torque_before, s->flange4_torque_still_time,
+        p->sample_time, &s->flange4_torque_still_time);
+    s->flange4_torque_before = s->flange4_torque_held;
+    s->flange4_torque_command = all_wheel_drive_select(s->flange4_torque_still_time > 0.0,
+        s->flange4_torque_command, M4_applied);
+    const all_wheel_drive_real cause_fault_flange4_torque_frozen =
+        all_wheel_drive_select(all_wheel_drive_min(all_wheel_drive_min(M4_difference - p->M4_frozen_limit,
+        s->flange4_torque_still_time - p->frozen_time), -0.05 * p->M4_torque_max + all_wheel_drive_abs(M4_applied -
+        s->flange4_torque_command)) > 0.0, 3012.0, 9999.0);
+    /* speed from the torques on the rotor */
+    const all_wheel_drive_real M5_integrated_before = all_wheel_drive_select(s->running > 0.5, s->M5_integrated,
+        s->M5_speed_held);
+    s->M5_integrated = M5_integrated_before + s->M5_per_step * (M5_applied + s->flange5_torque_held) +
+        s->disagreement_share * (-M5_integrated_before + s->M5_speed_held);
+    const all_wheel_drive_real M5_difference = all_wheel_drive_abs(s->M5_integrated - s->M5_speed_held);
+    /* speed against torques */
+    const all_wheel_drive_real M5_agrees = all_wheel_drive_select(M5_difference <= p->M5_disagreement_limit, 1.0,
+        0.0);
+    all_wheel_drive_real M5_disagrees;
+    all_wheel_drive_lasting(M5_agrees, s->M5_disagreement_time, p->sample_time, p->hold_time,
+        &s->M5_disagreement_time, &M5_disagrees);
+    /* M5_speed to the last bit */
+    all_wheel_drive_still(s->M5_speed_held, s->M5_speed_before, s->M5_speed_still_time, p->sample_time,
+        &s->M5_speed_still_time);
+    s->M5_speed_before = s->M5_speed_held;
+    const all_wheel_drive_real cause_fault_M5_speed_frozen =
+        all_wheel_drive_select(all_wheel_drive_min(M5_difference - p->M5_frozen_limit, s->M5_speed_still_time -
+        p->frozen_time) > 0.0, 3015.0, 9999.0);
+    const all_wheel_drive_real cause_fault_M5_speed_disagreement = all_wheel_drive_select(M5_disagrees > 0.0,
+        5015.0, 9999.0);
+    /* flange5_torque to the last bit */
+    all_wheel_drive_still(s->flange5_torque_held, s->flange5_torque_before, s->flange5_torque_still_time,
+        p->sample_time, &s->flange5_torque_still_time);
+    s->flange5_torque_before = s->flange5_torque_held;
+    s->flange5_torque_command = all_wheel_drive_select(s->flange5_torque_still_time > 0.0,
+        s->flange5_torque_command, M5_applied);
+    const all_wheel_drive_real cause_fault_flange5_torque_frozen =
+        all_wheel_drive_select(all_wheel_drive_min(all_wheel_drive_min(M5_difference - p->M5_frozen_limit,
+        s->flange5_torque_still_time - p->frozen_time), -0.05 * p->M5_torque_max + all_wheel_drive_abs(M5_applied -
+        s->flange5_torque_command)) > 0.0, 3014.0, 9999.0);
+    /* oscillation of flange1_torque */
+    const all_wheel_drive_real flange1_torque_mean_before = all_wheel_drive_select(s->running > 0.5,
+        s->flange1_torque_mean, s->flange1_torque_held);
+    const all_wheel_drive_real flange1_torque_swing = s->flange1_torque_held - flange1_torque_mean_before;
+    s->flange1_torque_mean = flange1_torque_mean_before + flange1_torque_swing * s->mean_share;
+    s->flange1_torque_swings = all_wheel_drive_select(s->running > 0.5, s->flange1_torque_swings, 0.0);
+    all_wheel_drive_swings(flange1_torque_swing, p->flange1_torque_oscillation_limit, s->flange1_torque_side,
+        s->flange1_torque_swings, s->forgotten_swings, &s->flange1_torque_side, &s->flange1_torque_swings);
+    const all_wheel_drive_real cause_fault_flange1_torque_oscillation =
+        all_wheel_drive_select(s->flange1_torque_swings - 5.5 > 0.0, 6007.0, 9999.0);
+    /* oscillation of flange2_torque */
+    const all_wheel_drive_real flange2_torque_mean_before = all_wheel_drive_select(s->running > 0.5,
+        s->flange2_torque_mean, s->flange2_torque_held);
+    const all_wheel_drive_real flange2_torque_swing = s->flange2_torque_held - flange2_torque_mean_before;
+    s->flange2_torque_mean = flange2_torque_mean_before + flange2_torque_swing * s->mean_share;
+    s->flange2_torque_swings = all_wheel_drive_select(s->running > 0.5, s->flange2_torque_swings, 0.0);
+    all_wheel_drive_swings(flange2_torque_swing, p->flange2_torque_oscillation_limit, s->flange2_torque_side,
+        s->flange2_torque_swings, s->forgotten_swings, &s->flange2_torque_side, &s->flange2_torque_swings);
+    const all_wheel_drive_real cause_fault_flange2_torque_oscillation =
+        all_wheel_drive_select(s->flange2_torque_swings - 5.5 > 0.0, 6008.0, 9999.0);
+    /* oscillation of flange3_torque */
+    const all_wheel_drive_real flange3_torque_mean_before = all_wheel_drive_select(s->running > 0.5,
+        s->flange3_torque_mean, s->flange3_torque_held);
+    const all_wheel_drive_real flange3_torque_swing = s->flange3_torque_held - flange3_torque_mean_before;
+    s->flange3_torque_mean = flange3_torque_mean_before + flange3_torque_swing * s->mean_share;
+    s->flange3_torque_swings = all_wheel_drive_select(s->running > 0.5, s->flange3_torque_swings, 0.0);
+    all_wheel_drive_swings(flange3_torque_swing, p->flange3_torque_oscillation_limit, s->flange3_torque_side,
+        s->flange3_torque_swings, s->forgotten_swings, &s->flange3_torque_side, &s->flange3_torque_swings);
+    const all_wheel_drive_real cause_fault_flange3_torque_oscillation =
+        all_wheel_drive_select(s->flange3_torque_swings - 5.5 > 0.0, 6010.0, 9999.0);
+    /* oscillation of flange4_torque */
+    const all_wheel_drive_real flange4_torque_mean_before = all_wheel_drive_select(s->running > 0.5,
+        s->flange4_torque_mean, s->flange4_torque_held);
+    const all_wheel_drive_real flange4_torque_swing = s->flange4_torque_held - flange4_torque_mean_before;
+    s->flange4_torque_mean = flange4_torque_mean_before + flange4_torque_swing * s->mean_share;
+    s->flange4_torque_swings = all_wheel_drive_select(s->running > 0.5, s->flange4_torque_swings, 0.0);
+    all_wheel_drive_swings(flange4_torque_swing, p->flange4_torque_oscillation_limit, s->flange4_torque_side,
+        s->flange4_torque_swings, s->forgotten_swings, &s->flange4_torque_side, &s->flange4_torque_swings);
+    const all_wheel_drive_real cause_fault_flange4_torque_oscillation =
+        all_wheel_drive_select(s->flange4_torque_swings - 5.5 > 0.0, 6012.0, 9999.0);
+    /* oscillation of flange5_torque */
+    const all_wheel_drive_real flange5_torque_mean_before = all_wheel_drive_select(s->running > 0.5,
+        s->flange5_torque_mean, s->flange5_torque_held);
+    const all_wheel_drive_real flange5_torque_swing = s->flange5_torque_held - flange5_torque_mean_before;
+    s->flange5_torque_mean = flange5_torque_mean_before + flange5_torque_swing * s->mean_share;
+    s->flange5_torque_swings = all_wheel_drive_select(s->running > 0.5, s->flange5_torque_swings, 0.0);
+    all_wheel_drive_swings(flange5_torque_swing, p->flange5_torque_oscillation_limit, s->flange5_torque_side,
+        s->flange5_torque_swings, s->forgotten_swings, &s->flange5_torque_side, &s->flange5_torque_swings);
+    const all_wheel_drive_real cause_fault_flange5_torque_oscillation =
+        all_wheel_drive_select(s->flange5_torque_swings - 5.5 > 0.0, 6014.0, 9999.0);
+    /* oscillation of M1_torque_ref */
+    const all_wheel_drive_real M1_torque_ref_mean_before = all_wheel_drive_select(s->running > 0.5,
+        s->M1_torque_ref_mean, 0.0);
+    const all_wheel_drive_real M1_torque_ref_swing = M1_applied - M1_torque_ref_mean_before;
+    s->M1_torque_ref_mean = M1_torque_ref_mean_before + M1_torque_ref_swing * s->mean_share;
+    s->M1_torque_ref_swings = all_wheel_drive_select(s->running > 0.5, s->M1_torque_ref_swings, 0.0);
+    all_wheel_drive_swings(M1_torque_ref_swing, p->M1_torque_ref_oscillation_limit, s->M1_torque_ref_side,
+        s->M1_torque_ref_swings, s->forgotten_swings, &s->M1_torque_ref_side, &s->M1_torque_ref_swings);
+    const all_wheel_drive_real cause_fault_M1_torque_ref_oscillation =
+        all_wheel_drive_select(s->M1_torque_ref_swings - 5.5 > 0.0, 8001.0, 9999.0);
+    /* oscillation of M2_torque_ref */
+    const all_wheel_drive_real M2_torque_ref_mean_before = all_wheel_drive_select(s->running > 0.5,
+        s->M2_torque_ref_mean, 0.0);
+    const all_wheel_drive_real M2_torque_ref_swing = M2_applied - M2_torque_ref_mean_before;
+    s->M2_torque_ref_mean = M2_torque_ref_mean_before + M2_torque_ref_swing * s->mean_share;
+    s->M2_torque_ref_swings = all_wheel_drive_select(s->running > 0.5, s->M2_torque_ref_swings, 0.0);
+    all_wheel_drive_swings(M2_torque_ref_swing, p->M2_torque_ref_oscillation_limit, s->M2_torque_ref_side,
+        s->M2_torque_ref_swings, s->forgotten_swings, &s->M2_torque_ref_side, &s->M2_torque_ref_swings);
+    const all_wheel_drive_real cause_fault_M2_torque_ref_oscillation =
+        all_wheel_drive_select(s->M2_torque_ref_swings - 5.5 > 0.0, 8002.0, 9999.0);
+    /* oscillation of M3_torque_ref */
+    const all_wheel_drive_real M3_torque_ref_mean_before = all_wheel_drive_select(s->running > 0.5,
+        s->M3_torque_ref_mean, 0.0);
+    const all_wheel_drive_real M3_torque_ref_swing = M3_applied - M3_torque_ref_mean_before;
+    s->M3_torque_ref_mean = M3_torque_ref_mean_before + M3_torque_ref_swing * s->mean_share;
+    s->M3_torque_ref_swings = all_wheel_drive_select(s->running > 0.5, s->M3_torque_ref_swings, 0.0);
+    all_wheel_drive_swings(M3_torque_ref_swing, p->M3_torque_ref_oscillation_limit, s->M3_torque_ref_side,
+        s->M3_torque_ref_swings, s->forgotten_swings, &s->M3_torque_ref_side, &s->M3_torque_ref_swings);
+    const all_wheel_drive_real cause_fault_M3_torque_ref_oscillation =
+        all_wheel_drive_select(s->M3_torque_ref_swings - 5.5 > 0.0, 8003.0, 9999.0);
+    /* oscillation of M4_torque_ref */
+    const all_wheel_drive_real M4_torque_ref_mean_before = all_wheel_drive_select(s->running > 0.5,
+        s->M4_torque_ref_mean, 0.0);
+    const all_wheel_drive_real M4_torque_ref_swing = M4_applied - M4_torque_ref_mean_before;
+    s->M4_torque_ref_mean = M4_torque_ref_mean_before + M4_torque_ref_swing * s->mean_share;
+    s->M4_torque_ref_swings = all_wheel_drive_select(s->running > 0.5, s->M4_torque_ref_swings, 0.0);
+    all_wheel_drive_swings(M4_torque_ref_swing, p->M4_torque_ref_oscillation_limit, s->M4_torque_ref_side,
+        s->M4_torque_ref_swings, s->forgotten_swings, &s->M4_torque_ref_side, &s->M4_torque_ref_swings);
+    const all_wheel_drive_real cause_fault_M4_torque_ref_oscillation =
+        all_wheel_drive_select(s->M4_torque_ref_swings - 5.5 > 0.0, 8004.0, 9999.0);
+    /* oscillation of M5_torque_ref */
+    const all_wheel_drive_real M5_torque_ref_mean_before = all_wheel_drive_select(s->running > 0.5,
+        s->M5_torque_ref_mean, 0.0);
+    const all_wheel_drive_real M5_torque_ref_swing = M5_applied - M5_torque_ref_mean_before;
+    s->M5_torque_ref_mean = M5_torque_ref_mean_before + M5_torque_ref_swing * s->mean_share;
+    s->M5_torque_ref_swings = all_wheel_drive_select(s->running > 0.5, s->M5_torque_ref_swings, 0.0);
+    all_wheel_drive_swings(M5_torque_ref_swing, p->M5_torque_ref_oscillation_limit, s->M5_torque_ref_side,
+        s->M5_torque_ref_swings, s->forgotten_swings, &s->M5_torque_ref_side, &s->M5_torque_ref_swings);
+    const all_wheel_drive_real cause_fault_M5_torque_ref_oscillation =
+        all_wheel_drive_select(s->M5_torque_ref_swings - 5.5 > 0.0, 8005.0, 9999.0);
+    /* the first fault is latched */
+    const all_wheel_drive_real cause_of_watching =
+        all_wheel_drive_min(all_wheel_drive_min(all_wheel_drive_min(all_wheel_drive_min(all_wheel_drive_min(cause_fault_M1_speed_disagreement,
+        cause_fault_M1_speed_frozen), all_wheel_drive_min(cause_fault_M1_torque_ref_oscillation,
+        cause_fault_M2_speed_disagreement)), all_wheel_drive_min(all_wheel_drive_min(cause_fault_M2_speed_frozen,
+        cause_fault_M2_torque_ref_oscillation), all_wheel_drive_min(cause_fault_M3_speed_disagreement,
+        cause_fault_M3_speed_frozen))),
+        all_wheel_drive_min(all_wheel_drive_min(all_wheel_drive_min(cause_fault_M3_torque_ref_oscillation,
+        cause_fault_M4_speed_disagreement), all_wheel_drive_min(cause_fault_M4_speed_frozen,
+        cause_fault_M4_torque_ref_oscillation)),
+        all_wheel_drive_min(all_wheel_drive_min(cause_fault_M5_speed_disagreement, cause_fault_M5_speed_frozen),
+        all_wheel_drive_min(cause_fault_M5_torque_ref_oscillation, cause_fault_flange1_torque_frozen)))),
+        all_wheel_drive_min(all_wheel_drive_min(all_wheel_drive_min(all_wheel_drive_min(cause_fault_flange1_torque_oscillation,
+        cause_fault_flange2_torque_frozen), all_wheel_drive_min(cause_fault_flange2_torque_oscillation,
+        cause_fault_flange3_torque_frozen)),
+        all_wheel_drive_min(all_wheel_drive_min(cause_fault_flange3_torque_oscillation,
+        cause_fault_flange4_torque_frozen), all_wheel_drive_min(cause_fault_flange4_torque_oscillation,
+        cause_fault_flange5_torque_frozen))), cause_fault_flange5_torque_oscillation));
+    s->fault = all_wheel_drive_select(s->fault > 0.5, s->fault, all_wheel_drive_select(cause_of_watching > 9998.0,
+        0.0, cause_of_watching));
+    /* limit of the rate */
+    const all_wheel_drive_real M2_speed_ref_before = all_wheel_drive_select(s->running > 0.5,
+        s->M2_speed_ref_limited, s->M2_speed_held);
     s->M2_speed_ref_limited = M2_speed_ref_before + all_wheel_drive_max(-s->M2_speed_ref_step,
         all_wheel_drive_min(s->M2_speed_ref_step, -M2_speed_ref_before + s->M2_speed_ref_held));
-    const all_wheel_drive_real M3_speed_ref_before = ((s->running > 0.5) ? s->M3_speed_ref_limited :
-        s->M3_speed_held);
+    const all_wheel_drive_real M3_speed_ref_before = all_wheel_drive_select(s->running > 0.5,
+        s->M3_speed_ref_limited, s->M3_speed_held);
     s->M3_speed_ref_limited = M3_speed_ref_before + all_wheel_drive_max(-s->M3_speed_ref_step,
         all_wheel_drive_min(s->M3_speed_ref_step, -M3_speed_ref_before + s->M3_speed_ref_held));
-    const all_wheel_drive_real M4_speed_ref_before = ((s->running > 0.5) ? s->M4_speed_ref_limited :
-        s->M4_speed_held);
+    const all_wheel_drive_real M4_speed_ref_before = all_wheel_drive_select(s->running > 0.5,
+        s->M4_speed_ref_limited, s->M4_speed_held);
     s->M4_speed_ref_limited = M4_speed_ref_before + all_wheel_drive_max(-s->M4_speed_ref_step,
         all_wheel_drive_min(s->M4_speed_ref_step, -M4_speed_ref_before + s->M4_speed_ref_held));
-    const all_wheel_drive_real M5_speed_ref_before = ((s->running > 0.5) ? s->M5_speed_ref_limited :
-        s->M5_speed_held);
+    const all_wheel_drive_real M5_speed_ref_before = all_wheel_drive_select(s->running > 0.5,
+        s->M5_speed_ref_limited, s->M5_speed_held);
     s->M5_speed_ref_limited = M5_speed_ref_before + all_wheel_drive_max(-s->M5_speed_ref_step,
         all_wheel_drive_min(s->M5_speed_ref_step, -M5_speed_ref_before + s->M5_speed_ref_held));
     const all_wheel_drive_real M2_speed_error = -s->M2_speed_held + s->M2_speed_ref_limited;
@@ -524,8 +1117,8 @@ all_wheel_drive_controller_status all_wheel_drive_controller_step(all_wheel_driv
     const all_wheel_drive_real M2_given_away = M2_compensation * (load_compensation_before -
         s->load_compensation_now);
     /* PI speed control (5.84) */
-    const all_wheel_drive_real M2_integral_before = ((p->M2_speed_integral_gain > 0.0) ? M2_given_away : 0.0) +
-        ((s->running > 0.5) ? s->M2_speed_integral : 0.0);
+    const all_wheel_drive_real M2_integral_before = all_wheel_drive_select(p->M2_speed_integral_gain > 0.0,
+        M2_given_away, 0.0) + all_wheel_drive_select(s->running > 0.5, s->M2_speed_integral, 0.0);
     const all_wheel_drive_real M2_asked = M2_integral_before + M2_speed_error * p->M2_speed_gain;
     const all_wheel_drive_real M2_wanted = M2_asked + M2_compensation * s->load_compensation_now;
     /* torque-speed envelope */
@@ -544,8 +1137,8 @@ all_wheel_drive_controller_status all_wheel_drive_controller_step(all_wheel_driv
     const all_wheel_drive_real M3_given_away = M3_compensation * (load_compensation_before -
         s->load_compensation_now);
     /* PI speed control (5.84) */
-    const all_wheel_drive_real M3_integral_before = ((p->M3_speed_integral_gain > 0.0) ? M3_given_away : 0.0) +
-        ((s->running > 0.5) ? s->M3_speed_integral : 0.0);
+    const all_wheel_drive_real M3_integral_before = all_wheel_drive_select(p->M3_speed_integral_gain > 0.0,
+        M3_given_away, 0.0) + all_wheel_drive_select(s->running > 0.5, s->M3_speed_integral, 0.0);
     const all_wheel_drive_real M3_asked = M3_integral_before + M3_speed_error * p->M3_speed_gain;
     const all_wheel_drive_real M3_wanted = M3_asked + M3_compensation * s->load_compensation_now;
     /* torque-speed envelope */
@@ -564,8 +1157,8 @@ all_wheel_drive_controller_status all_wheel_drive_controller_step(all_wheel_driv
     const all_wheel_drive_real M4_given_away = M4_compensation * (load_compensation_before -
         s->load_compensation_now);
     /* PI speed control (5.84) */
-    const all_wheel_drive_real M4_integral_before = ((p->M4_speed_integral_gain > 0.0) ? M4_given_away : 0.0) +
-        ((s->running > 0.5) ? s->M4_speed_integral : 0.0);
+    const all_wheel_drive_real M4_integral_before = all_wheel_drive_select(p->M4_speed_integral_gain > 0.0,
+        M4_given_away, 0.0) + all_wheel_drive_select(s->running > 0.5, s->M4_speed_integral, 0.0);
     const all_wheel_drive_real M4_asked = M4_integral_before + M4_speed_error * p->M4_speed_gain;
     const all_wheel_drive_real M4_wanted = M4_asked + M4_compensation * s->load_compensation_now;
     /* torque-speed envelope */
@@ -584,8 +1177,8 @@ all_wheel_drive_controller_status all_wheel_drive_controller_step(all_wheel_driv
     const all_wheel_drive_real M5_given_away = M5_compensation * (load_compensation_before -
         s->load_compensation_now);
     /* PI speed control (5.84) */
-    const all_wheel_drive_real M5_integral_before = ((p->M5_speed_integral_gain > 0.0) ? M5_given_away : 0.0) +
-        ((s->running > 0.5) ? s->M5_speed_integral : 0.0);
+    const all_wheel_drive_real M5_integral_before = all_wheel_drive_select(p->M5_speed_integral_gain > 0.0,
+        M5_given_away, 0.0) + all_wheel_drive_select(s->running > 0.5, s->M5_speed_integral, 0.0);
     const all_wheel_drive_real M5_asked = M5_integral_before + M5_speed_error * p->M5_speed_gain;
     const all_wheel_drive_real M5_wanted = M5_asked + M5_compensation * s->load_compensation_now;
     /* torque-speed envelope */
@@ -601,22 +1194,23 @@ all_wheel_drive_controller_status all_wheel_drive_controller_step(all_wheel_driv
     const all_wheel_drive_real centre_input_torque_estimate = s->M1_unread_M2 * M2_net + s->M1_unread_M3 * M3_net +
         s->M1_unread_M4 * M4_net + s->M1_unread_M5 * M5_net + s->flange1_torque_held;
     /* limit of the rate */
-    const all_wheel_drive_real centre_input_torque_ref_before = ((s->running > 0.5) ?
-        s->centre_input_torque_ref_limited : centre_input_torque_estimate);
+    const all_wheel_drive_real centre_input_torque_ref_before = all_wheel_drive_select(s->running > 0.5,
+        s->centre_input_torque_ref_limited, centre_input_torque_estimate);
     s->centre_input_torque_ref_limited = centre_input_torque_ref_before +
         all_wheel_drive_max(-s->centre_input_torque_ref_step, all_wheel_drive_min(s->centre_input_torque_ref_step,
         -centre_input_torque_ref_before + s->centre_input_torque_ref_held));
     /* torque model (5.57), (5.76) */
-    const all_wheel_drive_real M1_model_before = ((s->running > 0.5) ? s->M1_model_torque :
+    const all_wheel_drive_real M1_model_before = all_wheel_drive_select(s->running > 0.5, s->M1_model_torque,
         centre_input_torque_estimate);
-    const all_wheel_drive_real M1_rate_before = ((s->running > 0.5) ? s->M1_model_rate : 0.0);
+    const all_wheel_drive_real M1_rate_before = all_wheel_drive_select(s->running > 0.5, s->M1_model_rate, 0.0);
     s->M1_model_rate = -s->M1_model_drag * M1_rate_before + s->M1_model_pull * (-M1_model_before +
         s->centre_input_torque_ref_limited) + M1_rate_before;
     s->M1_model_torque = M1_model_before + s->M1_model_rate * p->sample_time;
     const all_wheel_drive_real M1_torque_error = s->M1_model_torque * p->M1_torque_model -
         centre_input_torque_estimate + s->centre_input_torque_ref_limited * (1.0 - p->M1_torque_model);
     /* torque control (5.99) */
-    const all_wheel_drive_real M1_integral_before = ((s->running > 0.5) ? s->M1_torque_integral : 0.0);
+    const all_wheel_drive_real M1_integral_before = all_wheel_drive_select(s->running > 0.5, s->M1_torque_integral,
+        0.0);
     const all_wheel_drive_real M1_virtual = p->M1_feedforward * s->centre_input_torque_ref_limited +
         M1_integral_before + M1_torque_error * p->M1_torque_gain;
     /* active damping (5.62), (5.78) */
@@ -634,71 +1228,83 @@ all_wheel_drive_controller_status all_wheel_drive_controller_step(all_wheel_driv
     const all_wheel_drive_real M1_command = all_wheel_drive_max(M1_least, all_wheel_drive_min(M1_most,
         M1_damping_torque + M1_kept));
     /* limited integrator */
-    s->M1_torque_integral = ((M1_torque_error * (-M1_kept + M1_wanted) > 0.0) ? M1_integral_before :
-        all_wheel_drive_max(-p->M1_torque_integral_limit, all_wheel_drive_min(p->M1_torque_integral_limit,
-        M1_integral_before + M1_torque_error * s->M1_torque_growth)));
-    const all_wheel_drive_real M1_largest = 1.01 * p->M1_torque_max;
+    s->M1_torque_integral = all_wheel_drive_select(M1_torque_error * (-M1_kept + M1_wanted) > 0.0,
+        M1_integral_before, all_wheel_drive_max(-p->M1_torque_integral_limit,
+        all_wheel_drive_min(p->M1_torque_integral_limit, M1_integral_before + M1_torque_error *
+        s->M1_torque_growth)));
     /* only sound torques leave */
     all_wheel_drive_real M1_released;
     all_wheel_drive_real M1_released_sound;
-    all_wheel_drive_guard(M1_command, M1_largest, s->M1_last, &M1_released, &M1_released_sound);
-    const all_wheel_drive_real M2_largest = 1.01 * p->M2_torque_max;
+    all_wheel_drive_guard(M1_command, s->M1_largest, s->M1_last, &M1_released, &M1_released_sound);
+    const all_wheel_drive_real cause_fault_M1_torque_ref = all_wheel_drive_select(M1_released_sound < 1.0, 7001.0,
+        9999.0);
     all_wheel_drive_real M2_released;
     all_wheel_drive_real M2_released_sound;
-    all_wheel_drive_guard(M2_command, M2_largest, s->M2_last, &M2_released, &M2_released_sound);
-    const all_wheel_drive_real M3_largest = 1.01 * p->M3_torque_max;
+    all_wheel_drive_guard(M2_command, s->M2_largest, s->M2_last, &M2_released, &M2_released_sound);
+    const all_wheel_drive_real cause_fault_M2_torque_ref = all_wheel_drive_select(M2_released_sound < 1.0, 7002.0,
+        9999.0);
     all_wheel_drive_real M3_released;
     all_wheel_drive_real M3_released_sound;
-    all_wheel_drive_guard(M3_command, M3_largest, s->M3_last, &M3_released, &M3_released_sound);
-    const all_wheel_drive_real M4_largest = 1.01 * p->M4_torque_max;
+    all_wheel_drive_guard(M3_command, s->M3_largest, s->M3_last, &M3_released, &M3_released_sound);
+    const all_wheel_drive_real cause_fault_M3_torque_ref = all_wheel_drive_select(M3_released_sound < 1.0, 7003.0,
+        9999.0);
     all_wheel_drive_real M4_released;
     all_wheel_drive_real M4_released_sound;
-    all_wheel_drive_guard(M4_command, M4_largest, s->M4_last, &M4_released, &M4_released_sound);
-    const all_wheel_drive_real M5_largest = 1.01 * p->M5_torque_max;
+    all_wheel_drive_guard(M4_command, s->M4_largest, s->M4_last, &M4_released, &M4_released_sound);
+    const all_wheel_drive_real cause_fault_M4_torque_ref = all_wheel_drive_select(M4_released_sound < 1.0, 7004.0,
+        9999.0);
     all_wheel_drive_real M5_released;
     all_wheel_drive_real M5_released_sound;
-    all_wheel_drive_guard(M5_command, M5_largest, s->M5_last, &M5_released, &M5_released_sound);
+    all_wheel_drive_guard(M5_command, s->M5_largest, s->M5_last, &M5_released, &M5_released_sound);
+    const all_wheel_drive_real cause_fault_M5_torque_ref = all_wheel_drive_select(M5_released_sound < 1.0, 7005.0,
+        9999.0);
     /* the first fault is latched */
-    s->fault = ((M1_released_sound < 0.5 && s->fault < 0.5) ? 16.0 : s->fault);
-    s->fault = ((M2_released_sound < 0.5 && s->fault < 0.5) ? 17.0 : s->fault);
-    s->fault = ((M3_released_sound < 0.5 && s->fault < 0.5) ? 18.0 : s->fault);
-    s->fault = ((M4_released_sound < 0.5 && s->fault < 0.5) ? 19.0 : s->fault);
-    s->fault = ((M5_released_sound < 0.5 && s->fault < 0.5) ? 20.0 : s->fault);
-    /* ramp to zero torque */
-    s->authority = ((s->fault > 0.5) ? all_wheel_drive_max(0.0, s->authority - p->sample_time / p->fault_ramp) :
-        s->authority);
-    s->M1_last = ((s->fault > 0.5) ? s->M1_last : M1_released);
-    out->M1_torque_ref = s->M1_last * s->authority;
-    s->M2_last = ((s->fault > 0.5) ? s->M2_last : M2_released);
-    out->M2_torque_ref = s->M2_last * s->authority;
-    s->M3_last = ((s->fault > 0.5) ? s->M3_last : M3_released);
-    out->M3_torque_ref = s->M3_last * s->authority;
-    s->M4_last = ((s->fault > 0.5) ? s->M4_last : M4_released);
-    out->M4_torque_ref = s->M4_last * s->authority;
-    s->M5_last = ((s->fault > 0.5) ? s->M5_last : M5_released);
-    out->M5_torque_ref = s->M5_last * s->authority;
-    /* start anew after a fault */
-    s->running = ((s->fault < 0.5) ? 1.0 : 0.0);
+    const all_wheel_drive_real cause_of_commands =
+        all_wheel_drive_min(all_wheel_drive_min(all_wheel_drive_min(cause_fault_M1_torque_ref,
+        cause_fault_M2_torque_ref), all_wheel_drive_min(cause_fault_M3_torque_ref, cause_fault_M4_torque_ref)),
+        cause_fault_M5_torque_ref);
+    s->fault = all_wheel_drive_select(s->fault > 0.5, s->fault, all_wheel_drive_select(cause_of_commands > 9998.0,
+        0.0, cause_of_commands));
+    /* ramp of the torques */
+    const all_wheel_drive_real authority_wanted = s->authority + all_wheel_drive_select(s->fault > 0.5,
+        -s->ramp_step, s->ramp_step);
+    all_wheel_drive_share(authority_wanted, &s->authority);
+    s->running = all_wheel_drive_select(s->fault > 0.5, 0.0, 1.0);
+    s->M1_last = all_wheel_drive_select(s->fault > 0.5, s->M1_last, M1_released);
+    out->M1_torque_ref = all_wheel_drive_max(-900.0, all_wheel_drive_min(900.0, s->M1_last * s->authority));
+    s->M2_last = all_wheel_drive_select(s->fault > 0.5, s->M2_last, M2_released);
+    out->M2_torque_ref = all_wheel_drive_max(-2400.0, all_wheel_drive_min(2400.0, s->M2_last * s->authority));
+    s->M3_last = all_wheel_drive_select(s->fault > 0.5, s->M3_last, M3_released);
+    out->M3_torque_ref = all_wheel_drive_max(-2400.0, all_wheel_drive_min(2400.0, s->M3_last * s->authority));
+    s->M4_last = all_wheel_drive_select(s->fault > 0.5, s->M4_last, M4_released);
+    out->M4_torque_ref = all_wheel_drive_max(-2400.0, all_wheel_drive_min(2400.0, s->M4_last * s->authority));
+    s->M5_last = all_wheel_drive_select(s->fault > 0.5, s->M5_last, M5_released);
+    out->M5_torque_ref = all_wheel_drive_max(-2400.0, all_wheel_drive_min(2400.0, s->M5_last * s->authority));
     /* The last line of defence, should parameters have been changed without an update. */
     if (!all_wheel_drive_is_finite(out->M1_torque_ref)) {
         out->M1_torque_ref = 0.0;
         s->fault = s->fault > 0.0 ? s->fault : ALL_WHEEL_DRIVE_REAL(all_wheel_drive_controller_fault_M1_torque_ref);
+        s->running = 0.0;
     }
     if (!all_wheel_drive_is_finite(out->M2_torque_ref)) {
         out->M2_torque_ref = 0.0;
         s->fault = s->fault > 0.0 ? s->fault : ALL_WHEEL_DRIVE_REAL(all_wheel_drive_controller_fault_M2_torque_ref);
+        s->running = 0.0;
     }
     if (!all_wheel_drive_is_finite(out->M3_torque_ref)) {
         out->M3_torque_ref = 0.0;
         s->fault = s->fault > 0.0 ? s->fault : ALL_WHEEL_DRIVE_REAL(all_wheel_drive_controller_fault_M3_torque_ref);
+        s->running = 0.0;
     }
     if (!all_wheel_drive_is_finite(out->M4_torque_ref)) {
         out->M4_torque_ref = 0.0;
         s->fault = s->fault > 0.0 ? s->fault : ALL_WHEEL_DRIVE_REAL(all_wheel_drive_controller_fault_M4_torque_ref);
+        s->running = 0.0;
     }
     if (!all_wheel_drive_is_finite(out->M5_torque_ref)) {
         out->M5_torque_ref = 0.0;
         s->fault = s->fault > 0.0 ? s->fault : ALL_WHEEL_DRIVE_REAL(all_wheel_drive_controller_fault_M5_torque_ref);
+        s->running = 0.0;
     }
     return (all_wheel_drive_controller_status)s->fault;
 }

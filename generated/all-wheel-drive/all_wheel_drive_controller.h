@@ -34,6 +34,30 @@ typedef struct {
     all_wheel_drive_real M3_overspeed; /* speed of M3 that is a fault (rad/s) */
     all_wheel_drive_real M4_overspeed; /* speed of M4 that is a fault (rad/s) */
     all_wheel_drive_real M5_overspeed; /* speed of M5 that is a fault (rad/s) */
+    all_wheel_drive_real load_compensation; /* switch of the load torque compensation, 0 to 1 */
+    all_wheel_drive_real acceleration_torque; /* switch of the acceleration torque, 0 to 1 */
+    all_wheel_drive_real switch_time; /* time in which a switch or a damping follows its parameter (s) */
+    all_wheel_drive_real M1_damping; /* active damping by M1 (5.81) (N m s/rad) */
+    all_wheel_drive_real M1_speed_rated; /* speed up to which the largest torque is available (rad/s) */
+    all_wheel_drive_real M1_speed_max; /* largest admissible speed (rad/s) */
+    all_wheel_drive_real M1_speed_taper; /* speed above M1_speed_max over which accelerating torque is taken back (rad/s) */
+    all_wheel_drive_real M1_torque_max; /* largest air-gap torque up to the rated speed (N m) */
+    all_wheel_drive_real M2_speed_rated; /* speed up to which the largest torque is available (rad/s) */
+    all_wheel_drive_real M2_speed_max; /* largest admissible speed (rad/s) */
+    all_wheel_drive_real M2_speed_taper; /* speed above M2_speed_max over which accelerating torque is taken back (rad/s) */
+    all_wheel_drive_real M2_torque_max; /* largest air-gap torque up to the rated speed (N m) */
+    all_wheel_drive_real M3_speed_rated; /* speed up to which the largest torque is available (rad/s) */
+    all_wheel_drive_real M3_speed_max; /* largest admissible speed (rad/s) */
+    all_wheel_drive_real M3_speed_taper; /* speed above M3_speed_max over which accelerating torque is taken back (rad/s) */
+    all_wheel_drive_real M3_torque_max; /* largest air-gap torque up to the rated speed (N m) */
+    all_wheel_drive_real M4_speed_rated; /* speed up to which the largest torque is available (rad/s) */
+    all_wheel_drive_real M4_speed_max; /* largest admissible speed (rad/s) */
+    all_wheel_drive_real M4_speed_taper; /* speed above M4_speed_max over which accelerating torque is taken back (rad/s) */
+    all_wheel_drive_real M4_torque_max; /* largest air-gap torque up to the rated speed (N m) */
+    all_wheel_drive_real M5_speed_rated; /* speed up to which the largest torque is available (rad/s) */
+    all_wheel_drive_real M5_speed_max; /* largest admissible speed (rad/s) */
+    all_wheel_drive_real M5_speed_taper; /* speed above M5_speed_max over which accelerating torque is taken back (rad/s) */
+    all_wheel_drive_real M5_torque_max; /* largest air-gap torque up to the rated speed (N m) */
     all_wheel_drive_real disagreement_leak; /* rate at which the integrated speeds forget (1/s) */
     all_wheel_drive_real M1_inertia; /* moment of inertia of the rotor (kg m^2) */
     all_wheel_drive_real M1_disagreement_limit; /* largest difference between measured and integrated speed of M1 (rad/s) */
@@ -62,30 +86,6 @@ typedef struct {
     all_wheel_drive_real M3_torque_ref_oscillation_limit; /* amplitude with which M3_torque_ref may oscillate (N m) */
     all_wheel_drive_real M4_torque_ref_oscillation_limit; /* amplitude with which M4_torque_ref may oscillate (N m) */
     all_wheel_drive_real M5_torque_ref_oscillation_limit; /* amplitude with which M5_torque_ref may oscillate (N m) */
-    all_wheel_drive_real load_compensation; /* switch of the load torque compensation, 0 to 1 */
-    all_wheel_drive_real acceleration_torque; /* switch of the acceleration torque, 0 to 1 */
-    all_wheel_drive_real switch_time; /* time in which a switch or a damping follows its parameter (s) */
-    all_wheel_drive_real M1_damping; /* active damping by M1 (5.81) (N m s/rad) */
-    all_wheel_drive_real M1_speed_rated; /* speed up to which the largest torque is available (rad/s) */
-    all_wheel_drive_real M1_speed_max; /* largest admissible speed (rad/s) */
-    all_wheel_drive_real M1_speed_taper; /* speed above M1_speed_max over which accelerating torque is taken back (rad/s) */
-    all_wheel_drive_real M1_torque_max; /* largest air-gap torque up to the rated speed (N m) */
-    all_wheel_drive_real M2_speed_rated; /* speed up to which the largest torque is available (rad/s) */
-    all_wheel_drive_real M2_speed_max; /* largest admissible speed (rad/s) */
-    all_wheel_drive_real M2_speed_taper; /* speed above M2_speed_max over which accelerating torque is taken back (rad/s) */
-    all_wheel_drive_real M2_torque_max; /* largest air-gap torque up to the rated speed (N m) */
-    all_wheel_drive_real M3_speed_rated; /* speed up to which the largest torque is available (rad/s) */
-    all_wheel_drive_real M3_speed_max; /* largest admissible speed (rad/s) */
-    all_wheel_drive_real M3_speed_taper; /* speed above M3_speed_max over which accelerating torque is taken back (rad/s) */
-    all_wheel_drive_real M3_torque_max; /* largest air-gap torque up to the rated speed (N m) */
-    all_wheel_drive_real M4_speed_rated; /* speed up to which the largest torque is available (rad/s) */
-    all_wheel_drive_real M4_speed_max; /* largest admissible speed (rad/s) */
-    all_wheel_drive_real M4_speed_taper; /* speed above M4_speed_max over which accelerating torque is taken back (rad/s) */
-    all_wheel_drive_real M4_torque_max; /* largest air-gap torque up to the rated speed (N m) */
-    all_wheel_drive_real M5_speed_rated; /* speed up to which the largest torque is available (rad/s) */
-    all_wheel_drive_real M5_speed_max; /* largest admissible speed (rad/s) */
-    all_wheel_drive_real M5_speed_taper; /* speed above M5_speed_max over which accelerating torque is taken back (rad/s) */
-    all_wheel_drive_real M5_torque_max; /* largest air-gap torque up to the rated speed (N m) */
     all_wheel_drive_real M2_speed_ref_rate; /* largest rate of M2_speed_ref (rad/s^2) */
     all_wheel_drive_real M3_speed_ref_rate; /* largest rate of M3_speed_ref (rad/s^2) */
     all_wheel_drive_real M4_speed_ref_rate; /* largest rate of M4_speed_ref (rad/s^2) */
@@ -189,6 +189,15 @@ typedef struct {
     all_wheel_drive_real M5_overspeed_time; /* for how long M5 was too fast (s) */
     all_wheel_drive_real reset_before; /* reset in the step before */
     all_wheel_drive_real reset_request; /* 1 while a reset waits for zero torque */
+    all_wheel_drive_real load_compensation_now; /* load_compensation on its way to the parameter */
+    all_wheel_drive_real load_compensation_target; /* load_compensation as the last step found it */
+    all_wheel_drive_real load_compensation_step; /* how far load_compensation moves in a step */
+    all_wheel_drive_real acceleration_torque_now; /* acceleration_torque on its way to the parameter */
+    all_wheel_drive_real acceleration_torque_target; /* acceleration_torque as the last step found it */
+    all_wheel_drive_real acceleration_torque_step; /* how far acceleration_torque moves in a step */
+    all_wheel_drive_real M1_damping_now; /* M1_damping on its way to the parameter (N m s/rad) */
+    all_wheel_drive_real M1_damping_target; /* M1_damping as the last step found it (N m s/rad) */
+    all_wheel_drive_real M1_damping_step; /* how far M1_damping moves in a step (N m s/rad) */
     all_wheel_drive_real M1_integrated; /* speed of M1 from the torques (rad/s) */
     all_wheel_drive_real M1_disagreement_time; /* for how long the speed of M1 disagreed (s) */
     all_wheel_drive_real M1_speed_before; /* M1_speed in the step before (rad/s) */
@@ -254,15 +263,6 @@ typedef struct {
     all_wheel_drive_real M5_torque_ref_mean; /* M5_torque_ref without its oscillation (N m) */
     all_wheel_drive_real M5_torque_ref_side; /* side on which M5_torque_ref last was beyond the limit */
     all_wheel_drive_real M5_torque_ref_swings; /* half swings of M5_torque_ref, forgotten in time */
-    all_wheel_drive_real load_compensation_now; /* load_compensation on its way to the parameter */
-    all_wheel_drive_real load_compensation_target; /* load_compensation as the last step found it */
-    all_wheel_drive_real load_compensation_step; /* how far load_compensation moves in a step */
-    all_wheel_drive_real acceleration_torque_now; /* acceleration_torque on its way to the parameter */
-    all_wheel_drive_real acceleration_torque_target; /* acceleration_torque as the last step found it */
-    all_wheel_drive_real acceleration_torque_step; /* how far acceleration_torque moves in a step */
-    all_wheel_drive_real M1_damping_now; /* M1_damping on its way to the parameter (N m s/rad) */
-    all_wheel_drive_real M1_damping_target; /* M1_damping as the last step found it (N m s/rad) */
-    all_wheel_drive_real M1_damping_step; /* how far M1_damping moves in a step (N m s/rad) */
     all_wheel_drive_real M2_speed_ref_limited; /* M2_speed_ref behind its rate limiter (rad/s) */
     all_wheel_drive_real M3_speed_ref_limited; /* M3_speed_ref behind its rate limiter (rad/s) */
     all_wheel_drive_real M4_speed_ref_limited; /* M4_speed_ref behind its rate limiter (rad/s) */
@@ -280,16 +280,6 @@ typedef struct {
     all_wheel_drive_real M3_last; /* last torque of M3 before a fault (N m) */
     all_wheel_drive_real M4_last; /* last torque of M4 before a fault (N m) */
     all_wheel_drive_real M5_last; /* last torque of M5 before a fault (N m) */
-    all_wheel_drive_real disagreement_share; /* share of the difference that is forgotten per step */
-    all_wheel_drive_real M1_per_step; /* change of speed of M1 per torque in a step (rad/s/(N m)) */
-    all_wheel_drive_real M1_balance_share; /* share of the torque of M1 on its rotor */
-    all_wheel_drive_real M1_balance_flange1_torque; /* coefficient of flange1_torque */
-    all_wheel_drive_real M2_per_step; /* change of speed of M2 per torque in a step (rad/s/(N m)) */
-    all_wheel_drive_real M3_per_step; /* change of speed of M3 per torque in a step (rad/s/(N m)) */
-    all_wheel_drive_real M4_per_step; /* change of speed of M4 per torque in a step (rad/s/(N m)) */
-    all_wheel_drive_real M5_per_step; /* change of speed of M5 per torque in a step (rad/s/(N m)) */
-    all_wheel_drive_real forgotten_swings; /* half swings that are forgotten per step */
-    all_wheel_drive_real mean_share; /* share of a step in the mean of a torque */
     all_wheel_drive_real switch_share; /* share of a change per step */
     all_wheel_drive_real M1_taper_slope; /* share of the torque of M1 per excess of speed (s/rad) */
     all_wheel_drive_real M1_taper_end; /* share at standstill if it were not limited */
@@ -301,6 +291,16 @@ typedef struct {
     all_wheel_drive_real M4_taper_end; /* share at standstill if it were not limited */
     all_wheel_drive_real M5_taper_slope; /* share of the torque of M5 per excess of speed (s/rad) */
     all_wheel_drive_real M5_taper_end; /* share at standstill if it were not limited */
+    all_wheel_drive_real disagreement_share; /* share of the difference that is forgotten per step */
+    all_wheel_drive_real M1_per_step; /* change of speed of M1 per torque in a step (rad/s/(N m)) */
+    all_wheel_drive_real M1_balance_share; /* share of the torque of M1 on its rotor */
+    all_wheel_drive_real M1_balance_flange1_torque; /* coefficient of flange1_torque */
+    all_wheel_drive_real M2_per_step; /* change of speed of M2 per torque in a step (rad/s/(N m)) */
+    all_wheel_drive_real M3_per_step; /* change of speed of M3 per torque in a step (rad/s/(N m)) */
+    all_wheel_drive_real M4_per_step; /* change of speed of M4 per torque in a step (rad/s/(N m)) */
+    all_wheel_drive_real M5_per_step; /* change of speed of M5 per torque in a step (rad/s/(N m)) */
+    all_wheel_drive_real forgotten_swings; /* half swings that are forgotten per step */
+    all_wheel_drive_real mean_share; /* share of a step in the mean of a torque */
     all_wheel_drive_real M2_speed_ref_step; /* largest change of M2_speed_ref in a step (rad/s) */
     all_wheel_drive_real M3_speed_ref_step; /* largest change of M3_speed_ref in a step (rad/s) */
     all_wheel_drive_real M4_speed_ref_step; /* largest change of M4_speed_ref in a step (rad/s) */
@@ -412,58 +412,58 @@ typedef enum {
     all_wheel_drive_controller_bad_M3_overspeed = 2020, /* outside its range */
     all_wheel_drive_controller_bad_M4_overspeed = 2021, /* outside its range */
     all_wheel_drive_controller_bad_M5_overspeed = 2022, /* outside its range */
-    all_wheel_drive_controller_bad_disagreement_leak = 2023, /* outside its range */
-    all_wheel_drive_controller_bad_M1_inertia = 2024, /* outside its range */
-    all_wheel_drive_controller_bad_M1_disagreement_limit = 2025, /* outside its range */
-    all_wheel_drive_controller_bad_M1_frozen_limit = 2026, /* outside its range */
-    all_wheel_drive_controller_bad_frozen_time = 2027, /* outside its range */
-    all_wheel_drive_controller_bad_M2_inertia = 2028, /* outside its range */
-    all_wheel_drive_controller_bad_M2_disagreement_limit = 2029, /* outside its range */
-    all_wheel_drive_controller_bad_M2_frozen_limit = 2030, /* outside its range */
-    all_wheel_drive_controller_bad_M3_inertia = 2031, /* outside its range */
-    all_wheel_drive_controller_bad_M3_disagreement_limit = 2032, /* outside its range */
-    all_wheel_drive_controller_bad_M3_frozen_limit = 2033, /* outside its range */
-    all_wheel_drive_controller_bad_M4_inertia = 2034, /* outside its range */
-    all_wheel_drive_controller_bad_M4_disagreement_limit = 2035, /* outside its range */
-    all_wheel_drive_controller_bad_M4_frozen_limit = 2036, /* outside its range */
-    all_wheel_drive_controller_bad_M5_inertia = 2037, /* outside its range */
-    all_wheel_drive_controller_bad_M5_disagreement_limit = 2038, /* outside its range */
-    all_wheel_drive_controller_bad_M5_frozen_limit = 2039, /* outside its range */
-    all_wheel_drive_controller_bad_oscillation_frequency = 2040, /* outside its range */
-    all_wheel_drive_controller_bad_flange1_torque_oscillation_limit = 2041, /* outside its range */
-    all_wheel_drive_controller_bad_flange2_torque_oscillation_limit = 2042, /* outside its range */
-    all_wheel_drive_controller_bad_flange3_torque_oscillation_limit = 2043, /* outside its range */
-    all_wheel_drive_controller_bad_flange4_torque_oscillation_limit = 2044, /* outside its range */
-    all_wheel_drive_controller_bad_flange5_torque_oscillation_limit = 2045, /* outside its range */
-    all_wheel_drive_controller_bad_M1_torque_ref_oscillation_limit = 2046, /* outside its range */
-    all_wheel_drive_controller_bad_M2_torque_ref_oscillation_limit = 2047, /* outside its range */
-    all_wheel_drive_controller_bad_M3_torque_ref_oscillation_limit = 2048, /* outside its range */
-    all_wheel_drive_controller_bad_M4_torque_ref_oscillation_limit = 2049, /* outside its range */
-    all_wheel_drive_controller_bad_M5_torque_ref_oscillation_limit = 2050, /* outside its range */
-    all_wheel_drive_controller_bad_load_compensation = 2051, /* outside its range */
-    all_wheel_drive_controller_bad_acceleration_torque = 2052, /* outside its range */
-    all_wheel_drive_controller_bad_switch_time = 2053, /* outside its range */
-    all_wheel_drive_controller_bad_M1_damping = 2054, /* outside its range */
-    all_wheel_drive_controller_bad_M1_speed_rated = 2055, /* outside its range */
-    all_wheel_drive_controller_bad_M1_speed_max = 2056, /* outside its range */
-    all_wheel_drive_controller_bad_M1_speed_taper = 2057, /* outside its range */
-    all_wheel_drive_controller_bad_M1_torque_max = 2058, /* outside its range */
-    all_wheel_drive_controller_bad_M2_speed_rated = 2059, /* outside its range */
-    all_wheel_drive_controller_bad_M2_speed_max = 2060, /* outside its range */
-    all_wheel_drive_controller_bad_M2_speed_taper = 2061, /* outside its range */
-    all_wheel_drive_controller_bad_M2_torque_max = 2062, /* outside its range */
-    all_wheel_drive_controller_bad_M3_speed_rated = 2063, /* outside its range */
-    all_wheel_drive_controller_bad_M3_speed_max = 2064, /* outside its range */
-    all_wheel_drive_controller_bad_M3_speed_taper = 2065, /* outside its range */
-    all_wheel_drive_controller_bad_M3_torque_max = 2066, /* outside its range */
-    all_wheel_drive_controller_bad_M4_speed_rated = 2067, /* outside its range */
-    all_wheel_drive_controller_bad_M4_speed_max = 2068, /* outside its range */
-    all_wheel_drive_controller_bad_M4_speed_taper = 2069, /* outside its range */
-    all_wheel_drive_controller_bad_M4_torque_max = 2070, /* outside its range */
-    all_wheel_drive_controller_bad_M5_speed_rated = 2071, /* outside its range */
-    all_wheel_drive_controller_bad_M5_speed_max = 2072, /* outside its range */
-    all_wheel_drive_controller_bad_M5_speed_taper = 2073, /* outside its range */
-    all_wheel_drive_controller_bad_M5_torque_max = 2074, /* outside its range */
+    all_wheel_drive_controller_bad_load_compensation = 2023, /* outside its range */
+    all_wheel_drive_controller_bad_acceleration_torque = 2024, /* outside its range */
+    all_wheel_drive_controller_bad_switch_time = 2025, /* outside its range */
+    all_wheel_drive_controller_bad_M1_damping = 2026, /* outside its range */
+    all_wheel_drive_controller_bad_M1_speed_rated = 2027, /* outside its range */
+    all_wheel_drive_controller_bad_M1_speed_max = 2028, /* outside its range */
+    all_wheel_drive_controller_bad_M1_speed_taper = 2029, /* outside its range */
+    all_wheel_drive_controller_bad_M1_torque_max = 2030, /* outside its range */
+    all_wheel_drive_controller_bad_M2_speed_rated = 2031, /* outside its range */
+    all_wheel_drive_controller_bad_M2_speed_max = 2032, /* outside its range */
+    all_wheel_drive_controller_bad_M2_speed_taper = 2033, /* outside its range */
+    all_wheel_drive_controller_bad_M2_torque_max = 2034, /* outside its range */
+    all_wheel_drive_controller_bad_M3_speed_rated = 2035, /* outside its range */
+    all_wheel_drive_controller_bad_M3_speed_max = 2036, /* outside its range */
+    all_wheel_drive_controller_bad_M3_speed_taper = 2037, /* outside its range */
+    all_wheel_drive_controller_bad_M3_torque_max = 2038, /* outside its range */
+    all_wheel_drive_controller_bad_M4_speed_rated = 2039, /* outside its range */
+    all_wheel_drive_controller_bad_M4_speed_max = 2040, /* outside its range */
+    all_wheel_drive_controller_bad_M4_speed_taper = 2041, /* outside its range */
+    all_wheel_drive_controller_bad_M4_torque_max = 2042, /* outside its range */
+    all_wheel_drive_controller_bad_M5_speed_rated = 2043, /* outside its range */
+    all_wheel_drive_controller_bad_M5_speed_max = 2044, /* outside its range */
+    all_wheel_drive_controller_bad_M5_speed_taper = 2045, /* outside its range */
+    all_wheel_drive_controller_bad_M5_torque_max = 2046, /* outside its range */
+    all_wheel_drive_controller_bad_disagreement_leak = 2047, /* outside its range */
+    all_wheel_drive_controller_bad_M1_inertia = 2048, /* outside its range */
+    all_wheel_drive_controller_bad_M1_disagreement_limit = 2049, /* outside its range */
+    all_wheel_drive_controller_bad_M1_frozen_limit = 2050, /* outside its range */
+    all_wheel_drive_controller_bad_frozen_time = 2051, /* outside its range */
+    all_wheel_drive_controller_bad_M2_inertia = 2052, /* outside its range */
+    all_wheel_drive_controller_bad_M2_disagreement_limit = 2053, /* outside its range */
+    all_wheel_drive_controller_bad_M2_frozen_limit = 2054, /* outside its range */
+    all_wheel_drive_controller_bad_M3_inertia = 2055, /* outside its range */
+    all_wheel_drive_controller_bad_M3_disagreement_limit = 2056, /* outside its range */
+    all_wheel_drive_controller_bad_M3_frozen_limit = 2057, /* outside its range */
+    all_wheel_drive_controller_bad_M4_inertia = 2058, /* outside its range */
+    all_wheel_drive_controller_bad_M4_disagreement_limit = 2059, /* outside its range */
+    all_wheel_drive_controller_bad_M4_frozen_limit = 2060, /* outside its range */
+    all_wheel_drive_controller_bad_M5_inertia = 2061, /* outside its range */
+    all_wheel_drive_controller_bad_M5_disagreement_limit = 2062, /* outside its range */
+    all_wheel_drive_controller_bad_M5_frozen_limit = 2063, /* outside its range */
+    all_wheel_drive_controller_bad_oscillation_frequency = 2064, /* outside its range */
+    all_wheel_drive_controller_bad_flange1_torque_oscillation_limit = 2065, /* outside its range */
+    all_wheel_drive_controller_bad_flange2_torque_oscillation_limit = 2066, /* outside its range */
+    all_wheel_drive_controller_bad_flange3_torque_oscillation_limit = 2067, /* outside its range */
+    all_wheel_drive_controller_bad_flange4_torque_oscillation_limit = 2068, /* outside its range */
+    all_wheel_drive_controller_bad_flange5_torque_oscillation_limit = 2069, /* outside its range */
+    all_wheel_drive_controller_bad_M1_torque_ref_oscillation_limit = 2070, /* outside its range */
+    all_wheel_drive_controller_bad_M2_torque_ref_oscillation_limit = 2071, /* outside its range */
+    all_wheel_drive_controller_bad_M3_torque_ref_oscillation_limit = 2072, /* outside its range */
+    all_wheel_drive_controller_bad_M4_torque_ref_oscillation_limit = 2073, /* outside its range */
+    all_wheel_drive_controller_bad_M5_torque_ref_oscillation_limit = 2074, /* outside its range */
     all_wheel_drive_controller_bad_M2_speed_ref_rate = 2075, /* outside its range */
     all_wheel_drive_controller_bad_M3_speed_ref_rate = 2076, /* outside its range */
     all_wheel_drive_controller_bad_M4_speed_ref_rate = 2077, /* outside its range */

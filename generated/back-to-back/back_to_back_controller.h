@@ -22,6 +22,18 @@ typedef struct {
     back_to_back_real M2_speed_plausible; /* largest plausible M2_speed (rad/s) */
     back_to_back_real M1_overspeed; /* speed of M1 that is a fault (rad/s) */
     back_to_back_real M2_overspeed; /* speed of M2 that is a fault (rad/s) */
+    back_to_back_real load_compensation; /* switch of the load torque compensation, 0 to 1 */
+    back_to_back_real acceleration_torque; /* switch of the acceleration torque, 0 to 1 */
+    back_to_back_real switch_time; /* time in which a switch or a damping follows its parameter (s) */
+    back_to_back_real M1_damping; /* active damping by M1 (5.81) (N m s/rad) */
+    back_to_back_real M1_speed_rated; /* speed up to which the largest torque is available (rad/s) */
+    back_to_back_real M1_speed_max; /* largest admissible speed (rad/s) */
+    back_to_back_real M1_speed_taper; /* speed above M1_speed_max over which accelerating torque is taken back (rad/s) */
+    back_to_back_real M1_torque_max; /* largest air-gap torque up to the rated speed (N m) */
+    back_to_back_real M2_speed_rated; /* speed up to which the largest torque is available (rad/s) */
+    back_to_back_real M2_speed_max; /* largest admissible speed (rad/s) */
+    back_to_back_real M2_speed_taper; /* speed above M2_speed_max over which accelerating torque is taken back (rad/s) */
+    back_to_back_real M2_torque_max; /* largest air-gap torque up to the rated speed (N m) */
     back_to_back_real disagreement_leak; /* rate at which the integrated speeds forget (1/s) */
     back_to_back_real M1_inertia; /* moment of inertia of the rotor (kg m^2) */
     back_to_back_real M1_disagreement_limit; /* largest difference between measured and integrated speed of M1 (rad/s) */
@@ -35,18 +47,6 @@ typedef struct {
     back_to_back_real flange2_torque_oscillation_limit; /* amplitude with which flange2_torque may oscillate (N m) */
     back_to_back_real M1_torque_ref_oscillation_limit; /* amplitude with which M1_torque_ref may oscillate (N m) */
     back_to_back_real M2_torque_ref_oscillation_limit; /* amplitude with which M2_torque_ref may oscillate (N m) */
-    back_to_back_real load_compensation; /* switch of the load torque compensation, 0 to 1 */
-    back_to_back_real acceleration_torque; /* switch of the acceleration torque, 0 to 1 */
-    back_to_back_real switch_time; /* time in which a switch or a damping follows its parameter (s) */
-    back_to_back_real M1_damping; /* active damping by M1 (5.81) (N m s/rad) */
-    back_to_back_real M1_speed_rated; /* speed up to which the largest torque is available (rad/s) */
-    back_to_back_real M1_speed_max; /* largest admissible speed (rad/s) */
-    back_to_back_real M1_speed_taper; /* speed above M1_speed_max over which accelerating torque is taken back (rad/s) */
-    back_to_back_real M1_torque_max; /* largest air-gap torque up to the rated speed (N m) */
-    back_to_back_real M2_speed_rated; /* speed up to which the largest torque is available (rad/s) */
-    back_to_back_real M2_speed_max; /* largest admissible speed (rad/s) */
-    back_to_back_real M2_speed_taper; /* speed above M2_speed_max over which accelerating torque is taken back (rad/s) */
-    back_to_back_real M2_torque_max; /* largest air-gap torque up to the rated speed (N m) */
     back_to_back_real M2_speed_ref_rate; /* largest rate of M2_speed_ref (rad/s^2) */
     back_to_back_real M2_speed_gain; /* proportional gain of the speed of M2 (N m s/rad) */
     back_to_back_real M2_speed_integral_gain; /* integral gain of the speed of M2 (N m/rad) */
@@ -102,6 +102,15 @@ typedef struct {
     back_to_back_real M2_overspeed_time; /* for how long M2 was too fast (s) */
     back_to_back_real reset_before; /* reset in the step before */
     back_to_back_real reset_request; /* 1 while a reset waits for zero torque */
+    back_to_back_real load_compensation_now; /* load_compensation on its way to the parameter */
+    back_to_back_real load_compensation_target; /* load_compensation as the last step found it */
+    back_to_back_real load_compensation_step; /* how far load_compensation moves in a step */
+    back_to_back_real acceleration_torque_now; /* acceleration_torque on its way to the parameter */
+    back_to_back_real acceleration_torque_target; /* acceleration_torque as the last step found it */
+    back_to_back_real acceleration_torque_step; /* how far acceleration_torque moves in a step */
+    back_to_back_real M1_damping_now; /* M1_damping on its way to the parameter (N m s/rad) */
+    back_to_back_real M1_damping_target; /* M1_damping as the last step found it (N m s/rad) */
+    back_to_back_real M1_damping_step; /* how far M1_damping moves in a step (N m s/rad) */
     back_to_back_real M1_integrated; /* speed of M1 from the torques (rad/s) */
     back_to_back_real M1_disagreement_time; /* for how long the speed of M1 disagreed (s) */
     back_to_back_real M1_speed_before; /* M1_speed in the step before (rad/s) */
@@ -128,15 +137,6 @@ typedef struct {
     back_to_back_real M2_torque_ref_mean; /* M2_torque_ref without its oscillation (N m) */
     back_to_back_real M2_torque_ref_side; /* side on which M2_torque_ref last was beyond the limit */
     back_to_back_real M2_torque_ref_swings; /* half swings of M2_torque_ref, forgotten in time */
-    back_to_back_real load_compensation_now; /* load_compensation on its way to the parameter */
-    back_to_back_real load_compensation_target; /* load_compensation as the last step found it */
-    back_to_back_real load_compensation_step; /* how far load_compensation moves in a step */
-    back_to_back_real acceleration_torque_now; /* acceleration_torque on its way to the parameter */
-    back_to_back_real acceleration_torque_target; /* acceleration_torque as the last step found it */
-    back_to_back_real acceleration_torque_step; /* how far acceleration_torque moves in a step */
-    back_to_back_real M1_damping_now; /* M1_damping on its way to the parameter (N m s/rad) */
-    back_to_back_real M1_damping_target; /* M1_damping as the last step found it (N m s/rad) */
-    back_to_back_real M1_damping_step; /* how far M1_damping moves in a step (N m s/rad) */
     back_to_back_real M2_speed_ref_limited; /* M2_speed_ref behind its rate limiter (rad/s) */
     back_to_back_real M2_speed_integral; /* integrator of the speed control of M2 (N m) */
     back_to_back_real flange1_torque_ref_limited; /* flange1_torque_ref behind its rate limiter (N m) */
@@ -145,6 +145,11 @@ typedef struct {
     back_to_back_real M1_torque_integral; /* integrator of the torque control of M1 (N m) */
     back_to_back_real M1_last; /* last torque of M1 before a fault (N m) */
     back_to_back_real M2_last; /* last torque of M2 before a fault (N m) */
+    back_to_back_real switch_share; /* share of a change per step */
+    back_to_back_real M1_taper_slope; /* share of the torque of M1 per excess of speed (s/rad) */
+    back_to_back_real M1_taper_end; /* share at standstill if it were not limited */
+    back_to_back_real M2_taper_slope; /* share of the torque of M2 per excess of speed (s/rad) */
+    back_to_back_real M2_taper_end; /* share at standstill if it were not limited */
     back_to_back_real disagreement_share; /* share of the difference that is forgotten per step */
     back_to_back_real M1_per_step; /* change of speed of M1 per torque in a step (rad/s/(N m)) */
     back_to_back_real M1_balance_share; /* share of the torque of M1 on its rotor */
@@ -152,11 +157,6 @@ typedef struct {
     back_to_back_real M2_per_step; /* change of speed of M2 per torque in a step (rad/s/(N m)) */
     back_to_back_real forgotten_swings; /* half swings that are forgotten per step */
     back_to_back_real mean_share; /* share of a step in the mean of a torque */
-    back_to_back_real switch_share; /* share of a change per step */
-    back_to_back_real M1_taper_slope; /* share of the torque of M1 per excess of speed (s/rad) */
-    back_to_back_real M1_taper_end; /* share at standstill if it were not limited */
-    back_to_back_real M2_taper_slope; /* share of the torque of M2 per excess of speed (s/rad) */
-    back_to_back_real M2_taper_end; /* share at standstill if it were not limited */
     back_to_back_real M2_speed_ref_step; /* largest change of M2_speed_ref in a step (rad/s) */
     back_to_back_real M2_speed_growth; /* growth of the integrator per error (N m s/rad) */
     back_to_back_real M2_speed_conditioning; /* growth per torque cut off */
@@ -204,31 +204,31 @@ typedef enum {
     back_to_back_controller_bad_M2_speed_plausible = 2008, /* outside its range */
     back_to_back_controller_bad_M1_overspeed = 2009, /* outside its range */
     back_to_back_controller_bad_M2_overspeed = 2010, /* outside its range */
-    back_to_back_controller_bad_disagreement_leak = 2011, /* outside its range */
-    back_to_back_controller_bad_M1_inertia = 2012, /* outside its range */
-    back_to_back_controller_bad_M1_disagreement_limit = 2013, /* outside its range */
-    back_to_back_controller_bad_M1_frozen_limit = 2014, /* outside its range */
-    back_to_back_controller_bad_frozen_time = 2015, /* outside its range */
-    back_to_back_controller_bad_M2_inertia = 2016, /* outside its range */
-    back_to_back_controller_bad_M2_disagreement_limit = 2017, /* outside its range */
-    back_to_back_controller_bad_M2_frozen_limit = 2018, /* outside its range */
-    back_to_back_controller_bad_oscillation_frequency = 2019, /* outside its range */
-    back_to_back_controller_bad_flange1_torque_oscillation_limit = 2020, /* outside its range */
-    back_to_back_controller_bad_flange2_torque_oscillation_limit = 2021, /* outside its range */
-    back_to_back_controller_bad_M1_torque_ref_oscillation_limit = 2022, /* outside its range */
-    back_to_back_controller_bad_M2_torque_ref_oscillation_limit = 2023, /* outside its range */
-    back_to_back_controller_bad_load_compensation = 2024, /* outside its range */
-    back_to_back_controller_bad_acceleration_torque = 2025, /* outside its range */
-    back_to_back_controller_bad_switch_time = 2026, /* outside its range */
-    back_to_back_controller_bad_M1_damping = 2027, /* outside its range */
-    back_to_back_controller_bad_M1_speed_rated = 2028, /* outside its range */
-    back_to_back_controller_bad_M1_speed_max = 2029, /* outside its range */
-    back_to_back_controller_bad_M1_speed_taper = 2030, /* outside its range */
-    back_to_back_controller_bad_M1_torque_max = 2031, /* outside its range */
-    back_to_back_controller_bad_M2_speed_rated = 2032, /* outside its range */
-    back_to_back_controller_bad_M2_speed_max = 2033, /* outside its range */
-    back_to_back_controller_bad_M2_speed_taper = 2034, /* outside its range */
-    back_to_back_controller_bad_M2_torque_max = 2035, /* outside its range */
+    back_to_back_controller_bad_load_compensation = 2011, /* outside its range */
+    back_to_back_controller_bad_acceleration_torque = 2012, /* outside its range */
+    back_to_back_controller_bad_switch_time = 2013, /* outside its range */
+    back_to_back_controller_bad_M1_damping = 2014, /* outside its range */
+    back_to_back_controller_bad_M1_speed_rated = 2015, /* outside its range */
+    back_to_back_controller_bad_M1_speed_max = 2016, /* outside its range */
+    back_to_back_controller_bad_M1_speed_taper = 2017, /* outside its range */
+    back_to_back_controller_bad_M1_torque_max = 2018, /* outside its range */
+    back_to_back_controller_bad_M2_speed_rated = 2019, /* outside its range */
+    back_to_back_controller_bad_M2_speed_max = 2020, /* outside its range */
+    back_to_back_controller_bad_M2_speed_taper = 2021, /* outside its range */
+    back_to_back_controller_bad_M2_torque_max = 2022, /* outside its range */
+    back_to_back_controller_bad_disagreement_leak = 2023, /* outside its range */
+    back_to_back_controller_bad_M1_inertia = 2024, /* outside its range */
+    back_to_back_controller_bad_M1_disagreement_limit = 2025, /* outside its range */
+    back_to_back_controller_bad_M1_frozen_limit = 2026, /* outside its range */
+    back_to_back_controller_bad_frozen_time = 2027, /* outside its range */
+    back_to_back_controller_bad_M2_inertia = 2028, /* outside its range */
+    back_to_back_controller_bad_M2_disagreement_limit = 2029, /* outside its range */
+    back_to_back_controller_bad_M2_frozen_limit = 2030, /* outside its range */
+    back_to_back_controller_bad_oscillation_frequency = 2031, /* outside its range */
+    back_to_back_controller_bad_flange1_torque_oscillation_limit = 2032, /* outside its range */
+    back_to_back_controller_bad_flange2_torque_oscillation_limit = 2033, /* outside its range */
+    back_to_back_controller_bad_M1_torque_ref_oscillation_limit = 2034, /* outside its range */
+    back_to_back_controller_bad_M2_torque_ref_oscillation_limit = 2035, /* outside its range */
     back_to_back_controller_bad_M2_speed_ref_rate = 2036, /* outside its range */
     back_to_back_controller_bad_M2_speed_gain = 2037, /* outside its range */
     back_to_back_controller_bad_M2_speed_integral_gain = 2038, /* outside its range */

@@ -22,6 +22,17 @@ typedef struct {
     clutch_rig_real M2_speed_plausible; /* largest plausible M2_speed (rad/s) */
     clutch_rig_real M1_overspeed; /* speed of M1 that is a fault (rad/s) */
     clutch_rig_real M2_overspeed; /* speed of M2 that is a fault (rad/s) */
+    clutch_rig_real load_compensation; /* switch of the load torque compensation, 0 to 1 */
+    clutch_rig_real acceleration_torque; /* switch of the acceleration torque, 0 to 1 */
+    clutch_rig_real switch_time; /* time in which a switch or a damping follows its parameter (s) */
+    clutch_rig_real M1_speed_rated; /* speed up to which the largest torque is available (rad/s) */
+    clutch_rig_real M1_speed_max; /* largest admissible speed (rad/s) */
+    clutch_rig_real M1_speed_taper; /* speed above M1_speed_max over which accelerating torque is taken back (rad/s) */
+    clutch_rig_real M1_torque_max; /* largest air-gap torque up to the rated speed (N m) */
+    clutch_rig_real M2_speed_rated; /* speed up to which the largest torque is available (rad/s) */
+    clutch_rig_real M2_speed_max; /* largest admissible speed (rad/s) */
+    clutch_rig_real M2_speed_taper; /* speed above M2_speed_max over which accelerating torque is taken back (rad/s) */
+    clutch_rig_real M2_torque_max; /* largest air-gap torque up to the rated speed (N m) */
     clutch_rig_real disagreement_leak; /* rate at which the integrated speeds forget (1/s) */
     clutch_rig_real M1_inertia; /* moment of inertia of the rotor (kg m^2) */
     clutch_rig_real M1_disagreement_limit; /* largest difference between measured and integrated speed of M1 (rad/s) */
@@ -35,17 +46,6 @@ typedef struct {
     clutch_rig_real flange2_torque_oscillation_limit; /* amplitude with which flange2_torque may oscillate (N m) */
     clutch_rig_real M1_torque_ref_oscillation_limit; /* amplitude with which M1_torque_ref may oscillate (N m) */
     clutch_rig_real M2_torque_ref_oscillation_limit; /* amplitude with which M2_torque_ref may oscillate (N m) */
-    clutch_rig_real load_compensation; /* switch of the load torque compensation, 0 to 1 */
-    clutch_rig_real acceleration_torque; /* switch of the acceleration torque, 0 to 1 */
-    clutch_rig_real switch_time; /* time in which a switch or a damping follows its parameter (s) */
-    clutch_rig_real M1_speed_rated; /* speed up to which the largest torque is available (rad/s) */
-    clutch_rig_real M1_speed_max; /* largest admissible speed (rad/s) */
-    clutch_rig_real M1_speed_taper; /* speed above M1_speed_max over which accelerating torque is taken back (rad/s) */
-    clutch_rig_real M1_torque_max; /* largest air-gap torque up to the rated speed (N m) */
-    clutch_rig_real M2_speed_rated; /* speed up to which the largest torque is available (rad/s) */
-    clutch_rig_real M2_speed_max; /* largest admissible speed (rad/s) */
-    clutch_rig_real M2_speed_taper; /* speed above M2_speed_max over which accelerating torque is taken back (rad/s) */
-    clutch_rig_real M2_torque_max; /* largest air-gap torque up to the rated speed (N m) */
     clutch_rig_real M1_speed_ref_rate; /* largest rate of M1_speed_ref (rad/s^2) */
     clutch_rig_real M2_speed_ref_rate; /* largest rate of M2_speed_ref (rad/s^2) */
     clutch_rig_real M1_speed_gain; /* proportional gain of the speed of M1 (N m s/rad) */
@@ -93,6 +93,9 @@ typedef struct {
     clutch_rig_real M2_overspeed_time; /* for how long M2 was too fast (s) */
     clutch_rig_real reset_before; /* reset in the step before */
     clutch_rig_real reset_request; /* 1 while a reset waits for zero torque */
+    clutch_rig_real load_compensation_now; /* load_compensation on its way to the parameter */
+    clutch_rig_real load_compensation_target; /* load_compensation as the last step found it */
+    clutch_rig_real load_compensation_step; /* how far load_compensation moves in a step */
     clutch_rig_real M1_integrated; /* speed of M1 from the torques (rad/s) */
     clutch_rig_real M1_disagreement_time; /* for how long the speed of M1 disagreed (s) */
     clutch_rig_real M1_speed_before; /* M1_speed in the step before (rad/s) */
@@ -119,25 +122,22 @@ typedef struct {
     clutch_rig_real M2_torque_ref_mean; /* M2_torque_ref without its oscillation (N m) */
     clutch_rig_real M2_torque_ref_side; /* side on which M2_torque_ref last was beyond the limit */
     clutch_rig_real M2_torque_ref_swings; /* half swings of M2_torque_ref, forgotten in time */
-    clutch_rig_real load_compensation_now; /* load_compensation on its way to the parameter */
-    clutch_rig_real load_compensation_target; /* load_compensation as the last step found it */
-    clutch_rig_real load_compensation_step; /* how far load_compensation moves in a step */
     clutch_rig_real M1_speed_ref_limited; /* M1_speed_ref behind its rate limiter (rad/s) */
     clutch_rig_real M2_speed_ref_limited; /* M2_speed_ref behind its rate limiter (rad/s) */
     clutch_rig_real M1_speed_integral; /* integrator of the speed control of M1 (N m) */
     clutch_rig_real M2_speed_integral; /* integrator of the speed control of M2 (N m) */
     clutch_rig_real M1_last; /* last torque of M1 before a fault (N m) */
     clutch_rig_real M2_last; /* last torque of M2 before a fault (N m) */
-    clutch_rig_real disagreement_share; /* share of the difference that is forgotten per step */
-    clutch_rig_real M1_per_step; /* change of speed of M1 per torque in a step (rad/s/(N m)) */
-    clutch_rig_real M2_per_step; /* change of speed of M2 per torque in a step (rad/s/(N m)) */
-    clutch_rig_real forgotten_swings; /* half swings that are forgotten per step */
-    clutch_rig_real mean_share; /* share of a step in the mean of a torque */
     clutch_rig_real switch_share; /* share of a change per step */
     clutch_rig_real M1_taper_slope; /* share of the torque of M1 per excess of speed (s/rad) */
     clutch_rig_real M1_taper_end; /* share at standstill if it were not limited */
     clutch_rig_real M2_taper_slope; /* share of the torque of M2 per excess of speed (s/rad) */
     clutch_rig_real M2_taper_end; /* share at standstill if it were not limited */
+    clutch_rig_real disagreement_share; /* share of the difference that is forgotten per step */
+    clutch_rig_real M1_per_step; /* change of speed of M1 per torque in a step (rad/s/(N m)) */
+    clutch_rig_real M2_per_step; /* change of speed of M2 per torque in a step (rad/s/(N m)) */
+    clutch_rig_real forgotten_swings; /* half swings that are forgotten per step */
+    clutch_rig_real mean_share; /* share of a step in the mean of a torque */
     clutch_rig_real M1_speed_ref_step; /* largest change of M1_speed_ref in a step (rad/s) */
     clutch_rig_real M2_speed_ref_step; /* largest change of M2_speed_ref in a step (rad/s) */
     clutch_rig_real M1_speed_growth; /* growth of the integrator per error (N m s/rad) */
@@ -182,30 +182,30 @@ typedef enum {
     clutch_rig_controller_bad_M2_speed_plausible = 2008, /* outside its range */
     clutch_rig_controller_bad_M1_overspeed = 2009, /* outside its range */
     clutch_rig_controller_bad_M2_overspeed = 2010, /* outside its range */
-    clutch_rig_controller_bad_disagreement_leak = 2011, /* outside its range */
-    clutch_rig_controller_bad_M1_inertia = 2012, /* outside its range */
-    clutch_rig_controller_bad_M1_disagreement_limit = 2013, /* outside its range */
-    clutch_rig_controller_bad_M1_frozen_limit = 2014, /* outside its range */
-    clutch_rig_controller_bad_frozen_time = 2015, /* outside its range */
-    clutch_rig_controller_bad_M2_inertia = 2016, /* outside its range */
-    clutch_rig_controller_bad_M2_disagreement_limit = 2017, /* outside its range */
-    clutch_rig_controller_bad_M2_frozen_limit = 2018, /* outside its range */
-    clutch_rig_controller_bad_oscillation_frequency = 2019, /* outside its range */
-    clutch_rig_controller_bad_flange1_torque_oscillation_limit = 2020, /* outside its range */
-    clutch_rig_controller_bad_flange2_torque_oscillation_limit = 2021, /* outside its range */
-    clutch_rig_controller_bad_M1_torque_ref_oscillation_limit = 2022, /* outside its range */
-    clutch_rig_controller_bad_M2_torque_ref_oscillation_limit = 2023, /* outside its range */
-    clutch_rig_controller_bad_load_compensation = 2024, /* outside its range */
-    clutch_rig_controller_bad_acceleration_torque = 2025, /* outside its range */
-    clutch_rig_controller_bad_switch_time = 2026, /* outside its range */
-    clutch_rig_controller_bad_M1_speed_rated = 2027, /* outside its range */
-    clutch_rig_controller_bad_M1_speed_max = 2028, /* outside its range */
-    clutch_rig_controller_bad_M1_speed_taper = 2029, /* outside its range */
-    clutch_rig_controller_bad_M1_torque_max = 2030, /* outside its range */
-    clutch_rig_controller_bad_M2_speed_rated = 2031, /* outside its range */
-    clutch_rig_controller_bad_M2_speed_max = 2032, /* outside its range */
-    clutch_rig_controller_bad_M2_speed_taper = 2033, /* outside its range */
-    clutch_rig_controller_bad_M2_torque_max = 2034, /* outside its range */
+    clutch_rig_controller_bad_load_compensation = 2011, /* outside its range */
+    clutch_rig_controller_bad_acceleration_torque = 2012, /* outside its range */
+    clutch_rig_controller_bad_switch_time = 2013, /* outside its range */
+    clutch_rig_controller_bad_M1_speed_rated = 2014, /* outside its range */
+    clutch_rig_controller_bad_M1_speed_max = 2015, /* outside its range */
+    clutch_rig_controller_bad_M1_speed_taper = 2016, /* outside its range */
+    clutch_rig_controller_bad_M1_torque_max = 2017, /* outside its range */
+    clutch_rig_controller_bad_M2_speed_rated = 2018, /* outside its range */
+    clutch_rig_controller_bad_M2_speed_max = 2019, /* outside its range */
+    clutch_rig_controller_bad_M2_speed_taper = 2020, /* outside its range */
+    clutch_rig_controller_bad_M2_torque_max = 2021, /* outside its range */
+    clutch_rig_controller_bad_disagreement_leak = 2022, /* outside its range */
+    clutch_rig_controller_bad_M1_inertia = 2023, /* outside its range */
+    clutch_rig_controller_bad_M1_disagreement_limit = 2024, /* outside its range */
+    clutch_rig_controller_bad_M1_frozen_limit = 2025, /* outside its range */
+    clutch_rig_controller_bad_frozen_time = 2026, /* outside its range */
+    clutch_rig_controller_bad_M2_inertia = 2027, /* outside its range */
+    clutch_rig_controller_bad_M2_disagreement_limit = 2028, /* outside its range */
+    clutch_rig_controller_bad_M2_frozen_limit = 2029, /* outside its range */
+    clutch_rig_controller_bad_oscillation_frequency = 2030, /* outside its range */
+    clutch_rig_controller_bad_flange1_torque_oscillation_limit = 2031, /* outside its range */
+    clutch_rig_controller_bad_flange2_torque_oscillation_limit = 2032, /* outside its range */
+    clutch_rig_controller_bad_M1_torque_ref_oscillation_limit = 2033, /* outside its range */
+    clutch_rig_controller_bad_M2_torque_ref_oscillation_limit = 2034, /* outside its range */
     clutch_rig_controller_bad_M1_speed_ref_rate = 2035, /* outside its range */
     clutch_rig_controller_bad_M2_speed_ref_rate = 2036, /* outside its range */
     clutch_rig_controller_bad_M1_speed_gain = 2037, /* outside its range */

@@ -25,20 +25,6 @@ typedef struct {
     differential_gearboxes_real M1_overspeed; /* speed of M1 that is a fault (rad/s) */
     differential_gearboxes_real M2_overspeed; /* speed of M2 that is a fault (rad/s) */
     differential_gearboxes_real M3_overspeed; /* speed of M3 that is a fault (rad/s) */
-    differential_gearboxes_real disagreement_leak; /* rate at which the integrated speeds forget (1/s) */
-    differential_gearboxes_real M2_inertia; /* moment of inertia of the rotor (kg m^2) */
-    differential_gearboxes_real M2_disagreement_limit; /* largest difference between measured and integrated speed of M2 (rad/s) */
-    differential_gearboxes_real M2_frozen_limit; /* the same while a signal of M2 stays the same to the last bit (rad/s) */
-    differential_gearboxes_real frozen_time; /* for how long a frozen signal stays the same (s) */
-    differential_gearboxes_real M3_inertia; /* moment of inertia of the rotor (kg m^2) */
-    differential_gearboxes_real M3_disagreement_limit; /* largest difference between measured and integrated speed of M3 (rad/s) */
-    differential_gearboxes_real M3_frozen_limit; /* the same while a signal of M3 stays the same to the last bit (rad/s) */
-    differential_gearboxes_real oscillation_frequency; /* slowest oscillation of a torque that is watched (Hz) */
-    differential_gearboxes_real flange2_torque_oscillation_limit; /* amplitude with which flange2_torque may oscillate (N m) */
-    differential_gearboxes_real flange3_torque_oscillation_limit; /* amplitude with which flange3_torque may oscillate (N m) */
-    differential_gearboxes_real M1_torque_ref_oscillation_limit; /* amplitude with which M1_torque_ref may oscillate (N m) */
-    differential_gearboxes_real M2_torque_ref_oscillation_limit; /* amplitude with which M2_torque_ref may oscillate (N m) */
-    differential_gearboxes_real M3_torque_ref_oscillation_limit; /* amplitude with which M3_torque_ref may oscillate (N m) */
     differential_gearboxes_real load_compensation; /* switch of the load torque compensation, 0 to 1 */
     differential_gearboxes_real acceleration_torque; /* switch of the acceleration torque, 0 to 1 */
     differential_gearboxes_real switch_time; /* time in which a switch or a damping follows its parameter (s) */
@@ -55,6 +41,20 @@ typedef struct {
     differential_gearboxes_real M3_speed_max; /* largest admissible speed (rad/s) */
     differential_gearboxes_real M3_speed_taper; /* speed above M3_speed_max over which accelerating torque is taken back (rad/s) */
     differential_gearboxes_real M3_torque_max; /* largest air-gap torque up to the rated speed (N m) */
+    differential_gearboxes_real disagreement_leak; /* rate at which the integrated speeds forget (1/s) */
+    differential_gearboxes_real M2_inertia; /* moment of inertia of the rotor (kg m^2) */
+    differential_gearboxes_real M2_disagreement_limit; /* largest difference between measured and integrated speed of M2 (rad/s) */
+    differential_gearboxes_real M2_frozen_limit; /* the same while a signal of M2 stays the same to the last bit (rad/s) */
+    differential_gearboxes_real frozen_time; /* for how long a frozen signal stays the same (s) */
+    differential_gearboxes_real M3_inertia; /* moment of inertia of the rotor (kg m^2) */
+    differential_gearboxes_real M3_disagreement_limit; /* largest difference between measured and integrated speed of M3 (rad/s) */
+    differential_gearboxes_real M3_frozen_limit; /* the same while a signal of M3 stays the same to the last bit (rad/s) */
+    differential_gearboxes_real oscillation_frequency; /* slowest oscillation of a torque that is watched (Hz) */
+    differential_gearboxes_real flange2_torque_oscillation_limit; /* amplitude with which flange2_torque may oscillate (N m) */
+    differential_gearboxes_real flange3_torque_oscillation_limit; /* amplitude with which flange3_torque may oscillate (N m) */
+    differential_gearboxes_real M1_torque_ref_oscillation_limit; /* amplitude with which M1_torque_ref may oscillate (N m) */
+    differential_gearboxes_real M2_torque_ref_oscillation_limit; /* amplitude with which M2_torque_ref may oscillate (N m) */
+    differential_gearboxes_real M3_torque_ref_oscillation_limit; /* amplitude with which M3_torque_ref may oscillate (N m) */
     differential_gearboxes_real M2_speed_ref_rate; /* largest rate of M2_speed_ref (rad/s^2) */
     differential_gearboxes_real M3_speed_ref_rate; /* largest rate of M3_speed_ref (rad/s^2) */
     differential_gearboxes_real M2_speed_gain; /* proportional gain of the speed of M2 (N m s/rad) */
@@ -128,6 +128,15 @@ typedef struct {
     differential_gearboxes_real M3_overspeed_time; /* for how long M3 was too fast (s) */
     differential_gearboxes_real reset_before; /* reset in the step before */
     differential_gearboxes_real reset_request; /* 1 while a reset waits for zero torque */
+    differential_gearboxes_real load_compensation_now; /* load_compensation on its way to the parameter */
+    differential_gearboxes_real load_compensation_target; /* load_compensation as the last step found it */
+    differential_gearboxes_real load_compensation_step; /* how far load_compensation moves in a step */
+    differential_gearboxes_real acceleration_torque_now; /* acceleration_torque on its way to the parameter */
+    differential_gearboxes_real acceleration_torque_target; /* acceleration_torque as the last step found it */
+    differential_gearboxes_real acceleration_torque_step; /* how far acceleration_torque moves in a step */
+    differential_gearboxes_real M1_damping_now; /* M1_damping on its way to the parameter (N m s/rad) */
+    differential_gearboxes_real M1_damping_target; /* M1_damping as the last step found it (N m s/rad) */
+    differential_gearboxes_real M1_damping_step; /* how far M1_damping moves in a step (N m s/rad) */
     differential_gearboxes_real M2_integrated; /* speed of M2 from the torques (rad/s) */
     differential_gearboxes_real M2_disagreement_time; /* for how long the speed of M2 disagreed (s) */
     differential_gearboxes_real M2_speed_before; /* M2_speed in the step before (rad/s) */
@@ -157,15 +166,6 @@ typedef struct {
     differential_gearboxes_real M3_torque_ref_mean; /* M3_torque_ref without its oscillation (N m) */
     differential_gearboxes_real M3_torque_ref_side; /* side on which M3_torque_ref last was beyond the limit */
     differential_gearboxes_real M3_torque_ref_swings; /* half swings of M3_torque_ref, forgotten in time */
-    differential_gearboxes_real load_compensation_now; /* load_compensation on its way to the parameter */
-    differential_gearboxes_real load_compensation_target; /* load_compensation as the last step found it */
-    differential_gearboxes_real load_compensation_step; /* how far load_compensation moves in a step */
-    differential_gearboxes_real acceleration_torque_now; /* acceleration_torque on its way to the parameter */
-    differential_gearboxes_real acceleration_torque_target; /* acceleration_torque as the last step found it */
-    differential_gearboxes_real acceleration_torque_step; /* how far acceleration_torque moves in a step */
-    differential_gearboxes_real M1_damping_now; /* M1_damping on its way to the parameter (N m s/rad) */
-    differential_gearboxes_real M1_damping_target; /* M1_damping as the last step found it (N m s/rad) */
-    differential_gearboxes_real M1_damping_step; /* how far M1_damping moves in a step (N m s/rad) */
     differential_gearboxes_real M2_speed_ref_limited; /* M2_speed_ref behind its rate limiter (rad/s) */
     differential_gearboxes_real M3_speed_ref_limited; /* M3_speed_ref behind its rate limiter (rad/s) */
     differential_gearboxes_real M2_speed_integral; /* integrator of the speed control of M2 (N m) */
@@ -177,11 +177,6 @@ typedef struct {
     differential_gearboxes_real M1_last; /* last torque of M1 before a fault (N m) */
     differential_gearboxes_real M2_last; /* last torque of M2 before a fault (N m) */
     differential_gearboxes_real M3_last; /* last torque of M3 before a fault (N m) */
-    differential_gearboxes_real disagreement_share; /* share of the difference that is forgotten per step */
-    differential_gearboxes_real M2_per_step; /* change of speed of M2 per torque in a step (rad/s/(N m)) */
-    differential_gearboxes_real M3_per_step; /* change of speed of M3 per torque in a step (rad/s/(N m)) */
-    differential_gearboxes_real forgotten_swings; /* half swings that are forgotten per step */
-    differential_gearboxes_real mean_share; /* share of a step in the mean of a torque */
     differential_gearboxes_real switch_share; /* share of a change per step */
     differential_gearboxes_real M1_taper_slope; /* share of the torque of M1 per excess of speed (s/rad) */
     differential_gearboxes_real M1_taper_end; /* share at standstill if it were not limited */
@@ -189,6 +184,11 @@ typedef struct {
     differential_gearboxes_real M2_taper_end; /* share at standstill if it were not limited */
     differential_gearboxes_real M3_taper_slope; /* share of the torque of M3 per excess of speed (s/rad) */
     differential_gearboxes_real M3_taper_end; /* share at standstill if it were not limited */
+    differential_gearboxes_real disagreement_share; /* share of the difference that is forgotten per step */
+    differential_gearboxes_real M2_per_step; /* change of speed of M2 per torque in a step (rad/s/(N m)) */
+    differential_gearboxes_real M3_per_step; /* change of speed of M3 per torque in a step (rad/s/(N m)) */
+    differential_gearboxes_real forgotten_swings; /* half swings that are forgotten per step */
+    differential_gearboxes_real mean_share; /* share of a step in the mean of a torque */
     differential_gearboxes_real M2_speed_ref_step; /* largest change of M2_speed_ref in a step (rad/s) */
     differential_gearboxes_real M3_speed_ref_step; /* largest change of M3_speed_ref in a step (rad/s) */
     differential_gearboxes_real M2_speed_growth; /* growth of the integrator per error (N m s/rad) */
@@ -256,36 +256,36 @@ typedef enum {
     differential_gearboxes_controller_bad_M1_overspeed = 2011, /* outside its range */
     differential_gearboxes_controller_bad_M2_overspeed = 2012, /* outside its range */
     differential_gearboxes_controller_bad_M3_overspeed = 2013, /* outside its range */
-    differential_gearboxes_controller_bad_disagreement_leak = 2014, /* outside its range */
-    differential_gearboxes_controller_bad_M2_inertia = 2015, /* outside its range */
-    differential_gearboxes_controller_bad_M2_disagreement_limit = 2016, /* outside its range */
-    differential_gearboxes_controller_bad_M2_frozen_limit = 2017, /* outside its range */
-    differential_gearboxes_controller_bad_frozen_time = 2018, /* outside its range */
-    differential_gearboxes_controller_bad_M3_inertia = 2019, /* outside its range */
-    differential_gearboxes_controller_bad_M3_disagreement_limit = 2020, /* outside its range */
-    differential_gearboxes_controller_bad_M3_frozen_limit = 2021, /* outside its range */
-    differential_gearboxes_controller_bad_oscillation_frequency = 2022, /* outside its range */
-    differential_gearboxes_controller_bad_flange2_torque_oscillation_limit = 2023, /* outside its range */
-    differential_gearboxes_controller_bad_flange3_torque_oscillation_limit = 2024, /* outside its range */
-    differential_gearboxes_controller_bad_M1_torque_ref_oscillation_limit = 2025, /* outside its range */
-    differential_gearboxes_controller_bad_M2_torque_ref_oscillation_limit = 2026, /* outside its range */
-    differential_gearboxes_controller_bad_M3_torque_ref_oscillation_limit = 2027, /* outside its range */
-    differential_gearboxes_controller_bad_load_compensation = 2028, /* outside its range */
-    differential_gearboxes_controller_bad_acceleration_torque = 2029, /* outside its range */
-    differential_gearboxes_controller_bad_switch_time = 2030, /* outside its range */
-    differential_gearboxes_controller_bad_M1_damping = 2031, /* outside its range */
-    differential_gearboxes_controller_bad_M1_speed_rated = 2032, /* outside its range */
-    differential_gearboxes_controller_bad_M1_speed_max = 2033, /* outside its range */
-    differential_gearboxes_controller_bad_M1_speed_taper = 2034, /* outside its range */
-    differential_gearboxes_controller_bad_M1_torque_max = 2035, /* outside its range */
-    differential_gearboxes_controller_bad_M2_speed_rated = 2036, /* outside its range */
-    differential_gearboxes_controller_bad_M2_speed_max = 2037, /* outside its range */
-    differential_gearboxes_controller_bad_M2_speed_taper = 2038, /* outside its range */
-    differential_gearboxes_controller_bad_M2_torque_max = 2039, /* outside its range */
-    differential_gearboxes_controller_bad_M3_speed_rated = 2040, /* outside its range */
-    differential_gearboxes_controller_bad_M3_speed_max = 2041, /* outside its range */
-    differential_gearboxes_controller_bad_M3_speed_taper = 2042, /* outside its range */
-    differential_gearboxes_controller_bad_M3_torque_max = 2043, /* outside its range */
+    differential_gearboxes_controller_bad_load_compensation = 2014, /* outside its range */
+    differential_gearboxes_controller_bad_acceleration_torque = 2015, /* outside its range */
+    differential_gearboxes_controller_bad_switch_time = 2016, /* outside its range */
+    differential_gearboxes_controller_bad_M1_damping = 2017, /* outside its range */
+    differential_gearboxes_controller_bad_M1_speed_rated = 2018, /* outside its range */
+    differential_gearboxes_controller_bad_M1_speed_max = 2019, /* outside its range */
+    differential_gearboxes_controller_bad_M1_speed_taper = 2020, /* outside its range */
+    differential_gearboxes_controller_bad_M1_torque_max = 2021, /* outside its range */
+    differential_gearboxes_controller_bad_M2_speed_rated = 2022, /* outside its range */
+    differential_gearboxes_controller_bad_M2_speed_max = 2023, /* outside its range */
+    differential_gearboxes_controller_bad_M2_speed_taper = 2024, /* outside its range */
+    differential_gearboxes_controller_bad_M2_torque_max = 2025, /* outside its range */
+    differential_gearboxes_controller_bad_M3_speed_rated = 2026, /* outside its range */
+    differential_gearboxes_controller_bad_M3_speed_max = 2027, /* outside its range */
+    differential_gearboxes_controller_bad_M3_speed_taper = 2028, /* outside its range */
+    differential_gearboxes_controller_bad_M3_torque_max = 2029, /* outside its range */
+    differential_gearboxes_controller_bad_disagreement_leak = 2030, /* outside its range */
+    differential_gearboxes_controller_bad_M2_inertia = 2031, /* outside its range */
+    differential_gearboxes_controller_bad_M2_disagreement_limit = 2032, /* outside its range */
+    differential_gearboxes_controller_bad_M2_frozen_limit = 2033, /* outside its range */
+    differential_gearboxes_controller_bad_frozen_time = 2034, /* outside its range */
+    differential_gearboxes_controller_bad_M3_inertia = 2035, /* outside its range */
+    differential_gearboxes_controller_bad_M3_disagreement_limit = 2036, /* outside its range */
+    differential_gearboxes_controller_bad_M3_frozen_limit = 2037, /* outside its range */
+    differential_gearboxes_controller_bad_oscillation_frequency = 2038, /* outside its range */
+    differential_gearboxes_controller_bad_flange2_torque_oscillation_limit = 2039, /* outside its range */
+    differential_gearboxes_controller_bad_flange3_torque_oscillation_limit = 2040, /* outside its range */
+    differential_gearboxes_controller_bad_M1_torque_ref_oscillation_limit = 2041, /* outside its range */
+    differential_gearboxes_controller_bad_M2_torque_ref_oscillation_limit = 2042, /* outside its range */
+    differential_gearboxes_controller_bad_M3_torque_ref_oscillation_limit = 2043, /* outside its range */
     differential_gearboxes_controller_bad_M2_speed_ref_rate = 2044, /* outside its range */
     differential_gearboxes_controller_bad_M3_speed_ref_rate = 2045, /* outside its range */
     differential_gearboxes_controller_bad_M2_speed_gain = 2046, /* outside its range */
