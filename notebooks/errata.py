@@ -13,7 +13,7 @@
 # ---
 
 # %% [markdown]
-# # Further errata: Chapter 4 and Section 5.7
+# # Further errata: Chapter 4
 #
 # Evidence for the entries of docs/errata.md that the other notebooks do not hold.
 
@@ -175,111 +175,6 @@ printed_4_75 = [
     for r in (igb1, igb2)
 ]
 check("4.75", printed_4_75, [d_in - igb1 * d_out, d_in - igb2 * d_out])
-
-# %% [markdown]
-# ## Closed loop of Section 5.7, (5.101) to (5.115)
-
-# %%
-s = sp.symbols("s")
-Im1, Im2, c, igb, kp1, ki1, kp2, ki2, d_des, g_w, g_T, kff = sp.symbols(
-    "Im1 Im2 c igb kp1 ki1 kp2 ki2 d_des gamma_w gamma_T kff", positive=True
-)
-w1, w2, dphi, lam_w, lam_T, r_w, r_T, v1 = sp.symbols("w1 w2 dphi lam_w lam_T r_w r_T v1", real=True)
-Ta1, Ta2 = sp.symbols("Ta1 Ta2", real=True)
-plant = sp.Matrix([-c * dphi / Im1 + Ta1 / Im1, igb * c * dphi / Im2 + Ta2 / Im2, w1 - igb * w2])
-check("5.101", sp.Matrix([[0, 0, -c / Im1], [0, 0, igb * c / Im2], [1, -igb, 0]]), plant.jacobian([w1, w2, dphi]))
-v2 = kp2 * (r_w - w2) + lam_w
-speed_law = v2 - g_w * igb * c * dphi
-x1 = [w1, w2, dphi, lam_w]
-loop1 = sp.Matrix([*plant.subs(Ta2, speed_law), ki2 * (r_w - w2)])
-A1 = loop1.jacobian(x1)
-check(
-    "5.104",
-    sp.Matrix(
-        [[0, 0, -c / Im1, 0], [0, -kp2 / Im2, (1 - g_w) * igb * c / Im2, 1 / Im2], [1, -igb, 0, 0], [0, -ki2, 0, 0]]
-    ),
-    A1,
-)
-check("5.104", sp.Matrix([[1 / Im1, 0], [0, kp2 / Im2], [0, 0], [0, ki2]]), loop1.jacobian([Ta1, r_w]))
-printed_5_105 = (
-    s**4
-    + kp2 / Im2 * s**3
-    + (ki2 / Im2 + c / Im1 + (1 - g_w) * igb**2 * c / Im2) * s**2
-    + c * kp2 / (Im1 * Im2) * s
-    + c * ki2 / (Im1 * Im2)
-)
-check("5.105", printed_5_105, A1.charpoly(s).as_expr())
-check("5.106", (s**2 + c / Im1) * (s**2 + kp2 / Im2 * s + ki2 / Im2), printed_5_105.subs(g_w, 1))
-_, b3, b2, b1, b0 = sp.Poly(printed_5_105.subs(g_w, 0), s).all_coeffs()
-check("5.105 Hurwitz", c**2 * igb**2 * kp2**2 / (Im1 * Im2**3), sp.expand(b3 * b2 * b1 - b1**2 - b3**2 * b0))
-
-# %% [markdown]
-# (5.107) uses v2/Im2, (5.108) has the entry that results from d(omega_2)/dt as in (5.62).
-
-# %%
-printed_A_tilde = sp.Matrix(
-    [
-        [
-            -d_des / Im1,
-            igb * d_des / Im1 - g_T * igb * kp2 / Im2,
-            g_T * (1 - g_w) * igb**2 * c / Im2 - c / Im1,
-            g_T * igb / Im2,
-        ],
-        [0, -kp2 / Im2, (1 - g_w) * igb * c / Im2, 1 / Im2],
-        [1, -igb, 0, 0],
-        [0, -ki2, 0, 0],
-    ]
-)
-law_printed = v1 - d_des * (w1 - igb * w2) + g_T * igb * Im1 * v2 / Im2
-law_acceleration = v1 - d_des * (w1 - igb * w2) + g_T * igb * Im1 * loop1[1]
-from_printed = loop1.subs(Ta1, law_printed).jacobian(x1)
-from_acceleration = loop1.subs(Ta1, law_acceleration).jacobian(x1)
-erratum(
-    "5.107", from_printed, printed_A_tilde, "with v2/Im2 the matrix (5.108) does not result; it needs d(omega_2)/dt"
-)
-check("5.108", printed_A_tilde, from_acceleration)
-factored = (s**2 + d_des / Im1 * s + c / Im1) * (s**2 + kp2 / Im2 * s + ki2 / Im2)
-check("5.109", factored, printed_A_tilde.subs(g_w, 1).charpoly(s).as_expr())
-check("5.109", factored, printed_A_tilde.subs(g_T, 1).charpoly(s).as_expr())
-erratum(
-    "5.109",
-    factored,
-    from_printed.subs({g_T: 1, g_w: 0}).charpoly(s).as_expr(),
-    "with the law (5.107) as printed, gamma_T = 1 alone does not factorise",
-)
-check("5.110", kp2**2 / (4 * Im2), sp.solve(sp.discriminant(s**2 + kp2 / Im2 * s + ki2 / Im2, s), ki2)[0])
-
-# %%
-x2 = [*x1, lam_T]
-torque_law = kff * r_T + kp1 * (r_T - c * dphi) + lam_T
-loop2 = sp.Matrix([*loop1.subs(Ta1, law_acceleration).subs(v1, torque_law), ki1 * (r_T - c * dphi)])
-A2 = loop2.jacobian(x2)
-printed_A2 = sp.Matrix(
-    [
-        [
-            -d_des / Im1,
-            igb * d_des / Im1 - g_T * igb * kp2 / Im2,
-            g_T * (1 - g_w) * igb**2 * c / Im2 - c / Im1 - kp1 * c / Im1,
-            g_T * igb / Im2,
-            1 / Im1,
-        ],
-        [0, -kp2 / Im2, (1 - g_w) * igb * c / Im2, 1 / Im2, 0],
-        [1, -igb, 0, 0, 0],
-        [0, -ki2, 0, 0, 0],
-        [0, 0, -ki1 * c, 0, 0],
-    ]
-)
-check("5.113", printed_A2, A2)
-check(
-    "5.113",
-    sp.Matrix([[(kff + kp1) / Im1, g_T * igb * kp2 / Im2], [0, kp2 / Im2], [0, 0], [0, ki2], [ki1, 0]]),
-    loop2.jacobian([r_T, r_w]),
-)
-cubic = s**3 + d_des / Im1 * s**2 + (c / Im1 + kp1 * c / Im1) * s + ki1 * c / Im1
-for active in ({g_w: 1}, {g_T: 1}):
-    check("5.114", cubic * (s**2 + kp2 / Im2 * s + ki2 / Im2), printed_A2.subs(active).charpoly(s).as_expr())
-p2, p1, p0 = sp.Poly(cubic, s).all_coeffs()[1:]
-check("5.115", d_des / Im1 * (1 + kp1), sp.solve(p2 * p1 - p0, ki1)[0])
 
 # %%
 summary()
