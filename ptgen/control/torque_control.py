@@ -78,9 +78,10 @@ def active_damping(
     for symbol, now in dampings.items():
         rates = row.diff(symbol)
         if any(entry != 0 for entry in rates):
+            whose = symbol.name.removesuffix("_damping")
             twist = w.assign(
-                f"{name}_twist_rate_{symbol.name.removesuffix('_damping')}",
-                w.sensor_sum(f"{name}_twist", rates, measured),
+                f"{name}_twist_rate_{whose}",
+                w.sensor_sum(f"{name}_twist_{whose}", rates, measured),
                 "active damping (5.62), (5.78)",
             )
             torque += now * twist

@@ -140,10 +140,19 @@ class ControllerWriter:
         return signal_symbol(target)
 
     def derive(self, name: str, unit: str, text: str, expression: sp.Expr) -> sp.Symbol:
-        """Declare a quantity that follows from the parameters alone, computed when they change, not in every step."""
+        """Declare a quantity that follows from the parameters alone, computed when they change, not in every step.
+
+        Raises
+        ------
+        ValueError
+            If another quantity has that name.
+        """
+        statement = Assign(name, expression)
         if name not in self.derived:
             self.derived[name] = Signal(name, unit, text)
-            self.preparation.append(Assign(name, expression))
+            self.preparation.append(statement)
+        elif statement not in self.preparation:
+            raise ValueError(f"the derived quantity {name} is declared twice")
         return signal_symbol(name)
 
     def coefficient(self, name: str, text: str, expression: sp.Expr) -> sp.Expr:

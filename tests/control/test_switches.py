@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 from controller_steps import Bench, Controller
@@ -13,6 +15,8 @@ from ptgen.mechanism.model import evaluate_matrix
 from ptgen.project import Project
 from ptgen.simulate.build import build
 from ptgen.simulate.library import Library
+from ptgen.simulate.run import simulate
+from ptgen.testbed import load_scenario
 
 pytestmark = pytest.mark.compile
 
@@ -108,6 +112,24 @@ def test_acceleration_torque_sees_the_whole_net_torque(
     expected = sum(share * torque for share, torque in zip(shares, net.values(), strict=True))
     got = outputs[1.0]["M1_torque_ref"] - outputs[0.0]["M1_torque_ref"]
     assert got == pytest.approx(expected, abs=1e-8)
+
+
+def test_acceleration_torque_works_without_load_compensation(projects: dict[str, Project], root: Path) -> None:
+    """During speed ramps it alone makes the error of the testing torque four times smaller, as with compensation."""
+    project = projects["differential"]
+    library, scenario = (
+        build(project),
+        load_scenario(root / "scenarios" / "differential-speed-ramps.toml", project.testbed),
+    )
+    error = {}
+    for load in (0.0, 1.0):
+        for accelerate in (0.0, 1.0):
+            parameters = {"load_compensation": load, "acceleration_torque": accelerate}
+            signals = simulate(project, scenario, library=library, parameters=parameters).signals
+            difference = signals["diff_input_torque_ref"] - signals["diff_input_torque"]
+            error[load, accelerate] = float(np.sqrt(np.mean(difference**2)))
+    assert error[0.0, 1.0] < 0.25 * error[0.0, 0.0]
+    assert error[0.0, 1.0] == pytest.approx(error[1.0, 1.0], rel=0.02)
 
 
 PI = Project(differential_bed().load())
