@@ -534,10 +534,10 @@ all_wheel_drive_controller_status all_wheel_drive_controller_update(all_wheel_dr
     s->M1_with_M3 = (0.25) * p->M1_inertia_estimate * p->centre_ratio * p->front_ratio / p->M3_inertia;
     s->M1_with_M4 = (0.25) * p->M1_inertia_estimate * p->centre_ratio * p->rear_ratio / p->M4_inertia;
     s->M1_with_M5 = (0.25) * p->M1_inertia_estimate * p->centre_ratio * p->rear_ratio / p->M5_inertia;
-    s->M1_twist_M2_speed = (0.25) * p->centre_ratio * p->front_ratio;
-    s->M1_twist_M3_speed = (0.25) * p->centre_ratio * p->front_ratio;
-    s->M1_twist_M4_speed = (0.25) * p->centre_ratio * p->rear_ratio;
-    s->M1_twist_M5_speed = (0.25) * p->centre_ratio * p->rear_ratio;
+    s->M1_twist_M1_M2_speed = (0.25) * p->centre_ratio * p->front_ratio;
+    s->M1_twist_M1_M3_speed = (0.25) * p->centre_ratio * p->front_ratio;
+    s->M1_twist_M1_M4_speed = (0.25) * p->centre_ratio * p->rear_ratio;
+    s->M1_twist_M1_M5_speed = (0.25) * p->centre_ratio * p->rear_ratio;
     s->M1_torque_growth = p->M1_torque_integral_gain * p->sample_time;
     s->M1_largest = 1.01 * all_wheel_drive_min(900.0, p->M1_torque_max);
     s->M2_largest = 1.01 * all_wheel_drive_min(2400.0, p->M2_torque_max);
@@ -1214,9 +1214,9 @@ all_wheel_drive_controller_status all_wheel_drive_controller_step(all_wheel_driv
     const all_wheel_drive_real M1_virtual = p->M1_feedforward * s->centre_input_torque_ref_limited +
         M1_integral_before + M1_torque_error * p->M1_torque_gain;
     /* active damping (5.62), (5.78) */
-    const all_wheel_drive_real M1_twist_rate_M1 = -s->M1_speed_held + s->M1_twist_M2_speed * s->M2_speed_held +
-        s->M1_twist_M3_speed * s->M3_speed_held + s->M1_twist_M4_speed * s->M4_speed_held + s->M1_twist_M5_speed *
-        s->M5_speed_held;
+    const all_wheel_drive_real M1_twist_rate_M1 = -s->M1_speed_held + s->M1_twist_M1_M2_speed * s->M2_speed_held +
+        s->M1_twist_M1_M3_speed * s->M3_speed_held + s->M1_twist_M1_M4_speed * s->M4_speed_held +
+        s->M1_twist_M1_M5_speed * s->M5_speed_held;
     const all_wheel_drive_real M1_damping_torque = s->M1_damping_now * M1_twist_rate_M1;
     /* with the acceleration torque (5.62), (5.78) */
     const all_wheel_drive_real M1_wanted = M1_virtual + s->acceleration_torque_now * (s->M1_with_M2 * M2_net +

@@ -324,10 +324,10 @@ typedef struct {
     all_wheel_drive_real M1_with_M3; /* coefficient of the virtual input of M3 */
     all_wheel_drive_real M1_with_M4; /* coefficient of the virtual input of M4 */
     all_wheel_drive_real M1_with_M5; /* coefficient of the virtual input of M5 */
-    all_wheel_drive_real M1_twist_M2_speed; /* coefficient of M2_speed */
-    all_wheel_drive_real M1_twist_M3_speed; /* coefficient of M3_speed */
-    all_wheel_drive_real M1_twist_M4_speed; /* coefficient of M4_speed */
-    all_wheel_drive_real M1_twist_M5_speed; /* coefficient of M5_speed */
+    all_wheel_drive_real M1_twist_M1_M2_speed; /* coefficient of M2_speed */
+    all_wheel_drive_real M1_twist_M1_M3_speed; /* coefficient of M3_speed */
+    all_wheel_drive_real M1_twist_M1_M4_speed; /* coefficient of M4_speed */
+    all_wheel_drive_real M1_twist_M1_M5_speed; /* coefficient of M5_speed */
     all_wheel_drive_real M1_torque_growth; /* growth of the integrator per error */
     all_wheel_drive_real M1_largest; /* torque of M1 that is a fault (N m) */
     all_wheel_drive_real M2_largest; /* torque of M2 that is a fault (N m) */

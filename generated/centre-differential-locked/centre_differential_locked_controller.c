@@ -428,24 +428,43 @@ centre_differential_locked_controller_status centre_differential_locked_controll
         p->diff_ratio) * (p->cardan2_flange2_equivalent_stiffness * p->flange1_cardan1_equivalent_stiffness -
         (p->flange1_cardan1_cardan2_flange2_equivalent_stiffness *
         p->flange1_cardan1_cardan2_flange2_equivalent_stiffness)));
-    s->M2_twist_M1_speed = -p->flange1_cardan1_cardan2_flange2_equivalent_stiffness *
+    s->M2_twist_M2_M1_speed = -p->flange1_cardan1_cardan2_flange2_equivalent_stiffness *
         (p->cardan2_flange2_equivalent_stiffness + (p->diff_ratio * p->diff_ratio) *
         p->flange1_cardan1_equivalent_stiffness + 2.0 * p->diff_ratio *
         p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) / ((p->diff_ratio * p->diff_ratio) *
         (p->cardan2_flange2_equivalent_stiffness * p->flange1_cardan1_equivalent_stiffness -
         (p->flange1_cardan1_cardan2_flange2_equivalent_stiffness *
         p->flange1_cardan1_cardan2_flange2_equivalent_stiffness)));
-    s->M2_twist_M2_speed = -p->cardan2_flange2_equivalent_stiffness * (p->cardan2_flange2_equivalent_stiffness +
+    s->M2_twist_M2_M2_speed = -p->cardan2_flange2_equivalent_stiffness * (p->cardan2_flange2_equivalent_stiffness +
         (p->diff_ratio * p->diff_ratio) * p->flange1_cardan1_equivalent_stiffness + 2.0 * p->diff_ratio *
         p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) / ((p->diff_ratio * p->diff_ratio) *
         (p->cardan2_flange2_equivalent_stiffness * p->flange1_cardan1_equivalent_stiffness -
         (p->flange1_cardan1_cardan2_flange2_equivalent_stiffness *
         p->flange1_cardan1_cardan2_flange2_equivalent_stiffness)));
-    s->M2_twist_M3_speed = (p->cardan2_flange2_equivalent_stiffness + p->diff_ratio *
+    s->M2_twist_M2_M3_speed = (p->cardan2_flange2_equivalent_stiffness + p->diff_ratio *
         p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) * (p->cardan2_flange2_equivalent_stiffness +
         (p->diff_ratio * p->diff_ratio) * p->flange1_cardan1_equivalent_stiffness + 2.0 * p->diff_ratio *
         p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) / ((p->diff_ratio * p->diff_ratio) *
         (p->cardan2_flange2_equivalent_stiffness * p->flange1_cardan1_equivalent_stiffness -
+        (p->flange1_cardan1_cardan2_flange2_equivalent_stiffness *
+        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness)));
+    s->M2_twist_M3_M1_speed = p->M2_inertia_estimate * (p->cardan2_flange2_equivalent_stiffness + p->diff_ratio *
+        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) * (p->diff_ratio *
+        p->flange1_cardan1_equivalent_stiffness + p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) /
+        (p->M3_inertia_estimate * (p->diff_ratio * p->diff_ratio) * (p->cardan2_flange2_equivalent_stiffness *
+        p->flange1_cardan1_equivalent_stiffness - (p->flange1_cardan1_cardan2_flange2_equivalent_stiffness *
+        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness)));
+    s->M2_twist_M3_M2_speed = p->M2_inertia_estimate * ((p->cardan2_flange2_equivalent_stiffness + p->diff_ratio *
+        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) * (p->cardan2_flange2_equivalent_stiffness +
+        p->diff_ratio * p->flange1_cardan1_cardan2_flange2_equivalent_stiffness)) / (p->M3_inertia_estimate *
+        (p->diff_ratio * p->diff_ratio) * (p->cardan2_flange2_equivalent_stiffness *
+        p->flange1_cardan1_equivalent_stiffness - (p->flange1_cardan1_cardan2_flange2_equivalent_stiffness *
+        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness)));
+    s->M2_twist_M3_M3_speed = -p->M2_inertia_estimate * (p->cardan2_flange2_equivalent_stiffness + p->diff_ratio *
+        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) * (p->cardan2_flange2_equivalent_stiffness +
+        (p->diff_ratio * p->diff_ratio) * p->flange1_cardan1_equivalent_stiffness + 2.0 * p->diff_ratio *
+        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) / (p->M3_inertia_estimate * (p->diff_ratio *
+        p->diff_ratio) * (p->cardan2_flange2_equivalent_stiffness * p->flange1_cardan1_equivalent_stiffness -
         (p->flange1_cardan1_cardan2_flange2_equivalent_stiffness *
         p->flange1_cardan1_cardan2_flange2_equivalent_stiffness)));
     s->M2_torque_growth = p->M2_torque_integral_gain * p->sample_time;
@@ -482,23 +501,39 @@ centre_differential_locked_controller_status centre_differential_locked_controll
         (p->cardan2_flange2_equivalent_stiffness * p->flange1_cardan1_equivalent_stiffness -
         (p->flange1_cardan1_cardan2_flange2_equivalent_stiffness *
         p->flange1_cardan1_cardan2_flange2_equivalent_stiffness)));
-    s->M3_twist_M1_speed = -p->M3_inertia_estimate * p->flange1_cardan1_cardan2_flange2_equivalent_stiffness *
+    s->M3_twist_M2_M1_speed = -p->M3_inertia_estimate * p->flange1_cardan1_cardan2_flange2_equivalent_stiffness *
         (p->cardan2_flange2_equivalent_stiffness + p->diff_ratio *
         p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) / (p->M2_inertia_estimate * (p->diff_ratio *
         p->diff_ratio) * (p->cardan2_flange2_equivalent_stiffness * p->flange1_cardan1_equivalent_stiffness -
         (p->flange1_cardan1_cardan2_flange2_equivalent_stiffness *
         p->flange1_cardan1_cardan2_flange2_equivalent_stiffness)));
-    s->M3_twist_M2_speed = -p->M3_inertia_estimate * p->cardan2_flange2_equivalent_stiffness *
+    s->M3_twist_M2_M2_speed = -p->M3_inertia_estimate * p->cardan2_flange2_equivalent_stiffness *
         (p->cardan2_flange2_equivalent_stiffness + p->diff_ratio *
         p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) / (p->M2_inertia_estimate * (p->diff_ratio *
         p->diff_ratio) * (p->cardan2_flange2_equivalent_stiffness * p->flange1_cardan1_equivalent_stiffness -
         (p->flange1_cardan1_cardan2_flange2_equivalent_stiffness *
         p->flange1_cardan1_cardan2_flange2_equivalent_stiffness)));
-    s->M3_twist_M3_speed = p->M3_inertia_estimate * ((p->cardan2_flange2_equivalent_stiffness + p->diff_ratio *
+    s->M3_twist_M2_M3_speed = p->M3_inertia_estimate * ((p->cardan2_flange2_equivalent_stiffness + p->diff_ratio *
         p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) * (p->cardan2_flange2_equivalent_stiffness +
         p->diff_ratio * p->flange1_cardan1_cardan2_flange2_equivalent_stiffness)) / (p->M2_inertia_estimate *
         (p->diff_ratio * p->diff_ratio) * (p->cardan2_flange2_equivalent_stiffness *
         p->flange1_cardan1_equivalent_stiffness - (p->flange1_cardan1_cardan2_flange2_equivalent_stiffness *
+        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness)));
+    s->M3_twist_M3_M1_speed = p->cardan2_flange2_equivalent_stiffness * (p->diff_ratio *
+        p->flange1_cardan1_equivalent_stiffness + p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) /
+        ((p->diff_ratio * p->diff_ratio) * (p->cardan2_flange2_equivalent_stiffness *
+        p->flange1_cardan1_equivalent_stiffness - (p->flange1_cardan1_cardan2_flange2_equivalent_stiffness *
+        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness)));
+    s->M3_twist_M3_M2_speed = p->cardan2_flange2_equivalent_stiffness * (p->cardan2_flange2_equivalent_stiffness +
+        p->diff_ratio * p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) / ((p->diff_ratio * p->diff_ratio)
+        * (p->cardan2_flange2_equivalent_stiffness * p->flange1_cardan1_equivalent_stiffness -
+        (p->flange1_cardan1_cardan2_flange2_equivalent_stiffness *
+        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness)));
+    s->M3_twist_M3_M3_speed = -p->cardan2_flange2_equivalent_stiffness * (p->cardan2_flange2_equivalent_stiffness +
+        (p->diff_ratio * p->diff_ratio) * p->flange1_cardan1_equivalent_stiffness + 2.0 * p->diff_ratio *
+        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) / ((p->diff_ratio * p->diff_ratio) *
+        (p->cardan2_flange2_equivalent_stiffness * p->flange1_cardan1_equivalent_stiffness -
+        (p->flange1_cardan1_cardan2_flange2_equivalent_stiffness *
         p->flange1_cardan1_cardan2_flange2_equivalent_stiffness)));
     s->M3_torque_growth = p->M3_torque_integral_gain * p->sample_time;
     s->M3_share = -p->cardan2_flange2_equivalent_stiffness * (p->cardan2_flange2_equivalent_stiffness +
@@ -988,10 +1023,10 @@ centre_differential_locked_controller_status centre_differential_locked_controll
     const centre_differential_locked_real M3_virtual = p->M3_feedforward * s->flange3_torque_ref_limited +
         M3_integral_before + M3_torque_error * p->M3_torque_gain;
     /* active damping (5.62), (5.78) */
-    const centre_differential_locked_real M2_twist_rate_M2 = s->M1_speed_held * s->M2_twist_M1_speed +
-        s->M2_speed_held * s->M2_twist_M2_speed + s->M2_twist_M3_speed * s->M3_speed_held;
-    const centre_differential_locked_real M2_twist_rate_M3 = s->M1_speed_held * s->M2_twist_M1_speed +
-        s->M2_speed_held * s->M2_twist_M2_speed + s->M2_twist_M3_speed * s->M3_speed_held;
+    const centre_differential_locked_real M2_twist_rate_M2 = s->M1_speed_held * s->M2_twist_M2_M1_speed +
+        s->M2_speed_held * s->M2_twist_M2_M2_speed + s->M2_twist_M2_M3_speed * s->M3_speed_held;
+    const centre_differential_locked_real M2_twist_rate_M3 = s->M1_speed_held * s->M2_twist_M3_M1_speed +
+        s->M2_speed_held * s->M2_twist_M3_M2_speed + s->M2_twist_M3_M3_speed * s->M3_speed_held;
     const centre_differential_locked_real M2_damping_torque = s->M2_damping_now * M2_twist_rate_M2 +
         s->M2_from_flange1_torque * s->flange1_torque_held + s->M2_from_flange2_torque * s->flange2_torque_held +
         M2_twist_rate_M3 * s->M3_damping_now;
@@ -1010,10 +1045,10 @@ centre_differential_locked_controller_status centre_differential_locked_controll
         centre_differential_locked_min(p->M2_torque_integral_limit, M2_integral_before + M2_torque_error *
         s->M2_torque_growth)));
     /* active damping (5.62), (5.78) */
-    const centre_differential_locked_real M3_twist_rate_M2 = s->M1_speed_held * s->M3_twist_M1_speed +
-        s->M2_speed_held * s->M3_twist_M2_speed + s->M3_speed_held * s->M3_twist_M3_speed;
-    const centre_differential_locked_real M3_twist_rate_M3 = s->M1_speed_held * s->M3_twist_M1_speed +
-        s->M2_speed_held * s->M3_twist_M2_speed + s->M3_speed_held * s->M3_twist_M3_speed;
+    const centre_differential_locked_real M3_twist_rate_M2 = s->M1_speed_held * s->M3_twist_M2_M1_speed +
+        s->M2_speed_held * s->M3_twist_M2_M2_speed + s->M3_speed_held * s->M3_twist_M2_M3_speed;
+    const centre_differential_locked_real M3_twist_rate_M3 = s->M1_speed_held * s->M3_twist_M3_M1_speed +
+        s->M2_speed_held * s->M3_twist_M3_M2_speed + s->M3_speed_held * s->M3_twist_M3_M3_speed;
     const centre_differential_locked_real M3_damping_torque = s->M2_damping_now * M3_twist_rate_M2 +
         s->M3_damping_now * M3_twist_rate_M3 + s->M3_from_flange1_torque * s->flange1_torque_held +
         s->M3_from_flange3_torque * s->flange3_torque_held;

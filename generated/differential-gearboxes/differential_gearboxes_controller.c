@@ -355,8 +355,8 @@ differential_gearboxes_controller_status differential_gearboxes_controller_updat
     s->M1_with_M3 = (0.5) * p->M1_inertia_estimate * p->diff_ratio * p->gearbox1_ratio / (p->M3_inertia *
         p->gearbox3_ratio);
     s->M1_share_M1 = 1.0 / (p->diff_ratio * p->gearbox1_ratio);
-    s->M1_twist_M2_speed = (0.5) * p->diff_ratio * p->gearbox1_ratio / p->gearbox2_ratio;
-    s->M1_twist_M3_speed = (0.5) * p->diff_ratio * p->gearbox1_ratio / p->gearbox3_ratio;
+    s->M1_twist_M1_M2_speed = (0.5) * p->diff_ratio * p->gearbox1_ratio / p->gearbox2_ratio;
+    s->M1_twist_M1_M3_speed = (0.5) * p->diff_ratio * p->gearbox1_ratio / p->gearbox3_ratio;
     s->M1_torque_growth = p->M1_torque_integral_gain * p->sample_time;
     s->M1_share = 1.0 / (p->diff_ratio * p->gearbox1_ratio);
     s->M1_largest = 1.01 * differential_gearboxes_min(3700.0, p->M1_torque_max);
@@ -757,8 +757,8 @@ differential_gearboxes_controller_status differential_gearboxes_controller_step(
     const differential_gearboxes_real M1_virtual = p->M1_feedforward * s->diff_outputs_torque_ref_limited +
         M1_integral_before + M1_torque_error * p->M1_torque_gain;
     /* active damping (5.62), (5.78) */
-    const differential_gearboxes_real M1_twist_rate_M1 = -s->M1_speed_held + s->M1_twist_M2_speed * s->M2_speed_held
-        + s->M1_twist_M3_speed * s->M3_speed_held;
+    const differential_gearboxes_real M1_twist_rate_M1 = -s->M1_speed_held + s->M1_twist_M1_M2_speed *
+        s->M2_speed_held + s->M1_twist_M1_M3_speed * s->M3_speed_held;
     const differential_gearboxes_real M1_damping_torque = s->M1_damping_now * M1_twist_rate_M1;
     /* with the acceleration torque (5.62), (5.78) */
     const differential_gearboxes_real M1_wanted = s->M1_share_M1 * M1_virtual + s->acceleration_torque_now *

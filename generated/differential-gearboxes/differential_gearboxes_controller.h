@@ -205,8 +205,8 @@ typedef struct {
     differential_gearboxes_real M1_with_M2; /* coefficient of the virtual input of M2 */
     differential_gearboxes_real M1_with_M3; /* coefficient of the virtual input of M3 */
     differential_gearboxes_real M1_share_M1; /* coefficient of the virtual input of M1 */
-    differential_gearboxes_real M1_twist_M2_speed; /* coefficient of M2_speed */
-    differential_gearboxes_real M1_twist_M3_speed; /* coefficient of M3_speed */
+    differential_gearboxes_real M1_twist_M1_M2_speed; /* coefficient of M2_speed */
+    differential_gearboxes_real M1_twist_M1_M3_speed; /* coefficient of M3_speed */
     differential_gearboxes_real M1_torque_growth; /* growth of the integrator per error */
     differential_gearboxes_real M1_share; /* share of its virtual input in M1 */
     differential_gearboxes_real M1_largest; /* torque of M1 that is a fault (N m) */

@@ -364,7 +364,7 @@ differential_output_torque_controller_status differential_output_torque_controll
     s->M2_model_drag = p->M2_model_damping * p->sample_time / p->M2_inertia_estimate;
     s->M2_with_M1 = 2.0 * p->M2_inertia_estimate / (p->M1_inertia * p->diff_ratio);
     s->M2_with_M3 = -p->M2_inertia_estimate / p->M3_inertia;
-    s->M2_twist_M1_speed = 2.0 / p->diff_ratio;
+    s->M2_twist_M2_M1_speed = 2.0 / p->diff_ratio;
     s->M2_torque_growth = p->M2_torque_integral_gain * p->sample_time;
     s->M1_largest = 1.01 * differential_output_torque_min(930.0, p->M1_torque_max);
     s->M2_largest = 1.01 * differential_output_torque_min(3700.0, p->M2_torque_max);
@@ -834,7 +834,7 @@ differential_output_torque_controller_status differential_output_torque_controll
     const differential_output_torque_real M2_virtual = p->M2_feedforward * s->diff_output1_torque_ref_limited +
         M2_integral_before + M2_torque_error * p->M2_torque_gain;
     /* active damping (5.62), (5.78) */
-    const differential_output_torque_real M2_twist_rate_M2 = s->M1_speed_held * s->M2_twist_M1_speed -
+    const differential_output_torque_real M2_twist_rate_M2 = s->M1_speed_held * s->M2_twist_M2_M1_speed -
         s->M2_speed_held - s->M3_speed_held;
     const differential_output_torque_real M2_damping_torque = s->M2_damping_now * M2_twist_rate_M2;
     /* with the acceleration torque (5.62), (5.78) */

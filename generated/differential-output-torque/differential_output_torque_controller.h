@@ -218,7 +218,7 @@ typedef struct {
     differential_output_torque_real M2_model_drag; /* decay of that rate in a step */
     differential_output_torque_real M2_with_M1; /* coefficient of the virtual input of M1 */
     differential_output_torque_real M2_with_M3; /* coefficient of the virtual input of M3 */
-    differential_output_torque_real M2_twist_M1_speed; /* coefficient of M1_speed */
+    differential_output_torque_real M2_twist_M2_M1_speed; /* coefficient of M1_speed */
     differential_output_torque_real M2_torque_growth; /* growth of the integrator per error */
     differential_output_torque_real M1_largest; /* torque of M1 that is a fault (N m) */
     differential_output_torque_real M2_largest; /* torque of M2 that is a fault (N m) */

@@ -364,8 +364,8 @@ differential_controller_status differential_controller_update(differential_contr
     s->M1_model_drag = p->M1_model_damping * p->sample_time / p->M1_inertia_estimate;
     s->M1_with_M2 = (0.5) * p->M1_inertia_estimate * p->diff_ratio / p->M2_inertia;
     s->M1_with_M3 = (0.5) * p->M1_inertia_estimate * p->diff_ratio / p->M3_inertia;
-    s->M1_twist_M2_speed = (0.5) * p->diff_ratio;
-    s->M1_twist_M3_speed = (0.5) * p->diff_ratio;
+    s->M1_twist_M1_M2_speed = (0.5) * p->diff_ratio;
+    s->M1_twist_M1_M3_speed = (0.5) * p->diff_ratio;
     s->M1_torque_growth = p->M1_torque_integral_gain * p->sample_time;
     s->M1_largest = 1.01 * differential_min(930.0, p->M1_torque_max);
     s->M2_largest = 1.01 * differential_min(3700.0, p->M2_torque_max);
@@ -783,8 +783,8 @@ differential_controller_status differential_controller_step(differential_control
     const differential_real M1_virtual = p->M1_feedforward * s->diff_input_torque_ref_limited + M1_integral_before +
         M1_torque_error * p->M1_torque_gain;
     /* active damping (5.62), (5.78) */
-    const differential_real M1_twist_rate_M1 = -s->M1_speed_held + s->M1_twist_M2_speed * s->M2_speed_held +
-        s->M1_twist_M3_speed * s->M3_speed_held;
+    const differential_real M1_twist_rate_M1 = -s->M1_speed_held + s->M1_twist_M1_M2_speed * s->M2_speed_held +
+        s->M1_twist_M1_M3_speed * s->M3_speed_held;
     const differential_real M1_damping_torque = s->M1_damping_now * M1_twist_rate_M1;
     /* with the acceleration torque (5.62), (5.78) */
     const differential_real M1_wanted = M1_virtual + s->acceleration_torque_now * (s->M1_with_M2 * M2_net +

@@ -218,8 +218,8 @@ typedef struct {
     differential_real M1_model_drag; /* decay of that rate in a step */
     differential_real M1_with_M2; /* coefficient of the virtual input of M2 */
     differential_real M1_with_M3; /* coefficient of the virtual input of M3 */
-    differential_real M1_twist_M2_speed; /* coefficient of M2_speed */
-    differential_real M1_twist_M3_speed; /* coefficient of M3_speed */
+    differential_real M1_twist_M1_M2_speed; /* coefficient of M2_speed */
+    differential_real M1_twist_M1_M3_speed; /* coefficient of M3_speed */
     differential_real M1_torque_growth; /* growth of the integrator per error */
     differential_real M1_largest; /* torque of M1 that is a fault (N m) */
     differential_real M2_largest; /* torque of M2 that is a fault (N m) */
