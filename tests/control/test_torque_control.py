@@ -14,7 +14,7 @@ from ptgen.simulate.build import build
 
 H = 1e-4
 PROJECT = Project(differential_bed().load())
-values = st.floats(-300, 300)
+values = st.floats(-60, 60)
 
 
 @given(values, values, values, st.floats(-0.9, 3), st.floats(0, 1.5))
@@ -23,7 +23,7 @@ def test_pi_control_with_feedforward(
 ) -> None:
     """(5.99) at standstill, where neither damping nor acceleration adds anything; the first output is what it says."""
     changes = {"M1_torque_gain": gain, "M1_feedforward": forward, "M1_torque_model": 0.0, "acceleration_torque": 0.0}
-    controller = Controller(PROJECT.controller, {**changes, "M1_torque_max": 1e6})
+    controller = Controller(PROJECT.controller, changes)
     controller.step()
     controller.states["M1_torque_integral"] = np.array(integral)
     measured = {"flange1_torque": torque, "diff_input_torque_ref": reference}
