@@ -4,7 +4,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 BEDS := $(basename $(notdir $(wildcard testbeds/*.toml)))
 
-.PHONY: demo test check check-style generated bench bench-box clean
+.PHONY: demo test check check-style generated validation bench bench-box clean
 
 # Emit, compile and run the shipped differential bed, and draw the result.
 demo: $(VENV)/demo
@@ -33,6 +33,10 @@ check-style: $(VENV)/dev
 # Emit the committed projects anew.
 generated: $(VENV)/demo
 	for bed in $(BEDS); do rm -rf generated/$$bed && $(BIN)/ptgen generate testbeds/$$bed.toml -o generated/$$bed || exit 1; done
+
+# Run the comparisons with the source anew and write docs/validation.md, its figures and its numbers.
+validation: $(VENV)/demo
+	$(BIN)/python docs/make_validation.py
 
 bench: $(VENV)/test
 	$(BIN)/python bench/run.py

@@ -38,7 +38,9 @@ TORQUE_BEDS = [
 """The shipped beds that control one torque."""
 
 
-@pytest.fixture(scope="session", params=sorted(["centre_differential_locked", "clutch_rig", *TORQUE_BEDS]))
+@pytest.fixture(
+    scope="session", params=sorted(["centre_differential", "centre_differential_locked", "clutch_rig", *TORQUE_BEDS])
+)
 def project(request: pytest.FixtureRequest, projects: dict[str, Project]) -> Project:
     """One shipped bed after the other."""
     return projects[request.param]

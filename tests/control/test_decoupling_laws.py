@@ -135,6 +135,8 @@ def test_closed_loop_is_diagonal_symbolically(projects: dict[str, Project]) -> N
 
 
 def test_shipped_beds_are_decoupled(project: Project) -> None:
+    if project.testbed.tuning.structure == "individual":
+        pytest.skip("each machine has a controller of its own")
     assert_decoupled(project.design.decoupling)
 
 

@@ -1,0 +1,159 @@
+/*
+ * centre_differential_support.h: arithmetic and small dense algebra
+ *
+ * Emitted by ptgen 0.1.0 from centre-differential.toml (SHA-256 11edcc3b908b78c3), template support.h.jinja.
+ * Do not edit: change the test bed file and emit again. This code belongs to whoever emitted it.
+ */
+#ifndef CENTRE_DIFFERENTIAL_SUPPORT_H
+#define CENTRE_DIFFERENTIAL_SUPPORT_H
+
+#include <stddef.h>
+
+typedef double centre_differential_real;
+
+#define CENTRE_DIFFERENTIAL_REAL(x) ((centre_differential_real)(x))
+
+/* Order up to which centre_differential_discretise works: states, inputs and friction elements together. */
+#define CENTRE_DIFFERENTIAL_MAX_ORDER 24
+
+static inline centre_differential_real centre_differential_min(centre_differential_real a, centre_differential_real b) { return a < b ? a : b; }
+static inline centre_differential_real centre_differential_max(centre_differential_real a, centre_differential_real b) { return a > b ? a : b; }
+static inline centre_differential_real centre_differential_abs(centre_differential_real a) { return a < 0.0 ? -a : a; }
+static inline centre_differential_real centre_differential_sign(centre_differential_real a)
+{
+    return a > 0.0 ? 1.0 : (a < 0.0 ? -1.0 : 0.0);
+}
+/* False for NaN and infinity; needs no library function. */
+static inline int centre_differential_is_finite(centre_differential_real a) { return a - a == 0.0; }
+static inline centre_differential_real centre_differential_clamp(centre_differential_real value, centre_differential_real bound)
+{
+    return centre_differential_max(-bound, centre_differential_min(bound, value));
+}
+
+centre_differential_real centre_differential_floor(centre_differential_real a);
+centre_differential_real centre_differential_exp(centre_differential_real a);
+centre_differential_real centre_differential_sin(centre_differential_real a);
+centre_differential_real centre_differential_sqrt(centre_differential_real a);
+
+/* Number of rows that n rows take in memory. */
+static inline int centre_differential_padded(int n) { return (n + 3) / 4 * 4; }
+
+/* Sets an array of `bytes` bytes to zero. */
+void centre_differential_zero(size_t bytes, void *array);
+
+/*
+ * Matrices are stored by columns; the number of rows in memory is rounded up to a multiple of four.
+ * Functions that return an int return 1 on success and 0 on failure.
+ */
+
+/* Solves M X = R for symmetric positive definite M (n, n); M is overwritten by its Cholesky factor. */
+int centre_differential_cholesky_solve(int n, int columns, centre_differential_real *M, const centre_differential_real *R, centre_differential_real *X);
+
+/* Whether the symmetric matrix K (n, n) is positive definite, or, if asked for, at least semidefinite. */
+int centre_differential_require_definite(int n, int semidefinite, const centre_differential_real *K);
+
+/* Share of a sum of a few numbers that may be rounding. */
+void centre_differential_rounding_unit(centre_differential_real *share);
+
+/* Copies `count` columns of `source` (rows, .), from column `first` on, to (row, column) of `target`. */
+void centre_differential_insert(int rows, int target_stride, int source_stride, int row, int column, int first, int count,
+    centre_differential_real *target, const centre_differential_real *source);
+
+/* C = A - B, all (rows, columns). */
+void centre_differential_difference(int rows, int columns, const centre_differential_real *A, const centre_differential_real *B, centre_differential_real *C);
+
+/*
+ * First n rows of exp(A t), A (n, total) over zero rows, balanced by `scale` (total): Taylor series of degree
+ * 18 with `squarings` squarings. Fails if the argument is too large for them.
+ */
+int centre_differential_discretise(int n, int total, int squarings, const centre_differential_real *A, const centre_differential_real *scale,
+    centre_differential_real t, centre_differential_real *E);
+
+/*
+ * y = A x for A (n, m); runs over four rows and two columns at a time, the padding included: eight independent sums
+ * keep the processor busy where one would wait for each addition.
+ */
+static inline void centre_differential_multiply(int n, int m, const centre_differential_real *restrict A, const centre_differential_real *restrict x,
+    centre_differential_real *restrict y)
+{
+    const int rows = centre_differential_padded(n);
+    for (int i = 0; i < rows; i += 4) {
+        const centre_differential_real *a = A + i;
+        centre_differential_real s0 = 0.0, s1 = 0.0, s2 = 0.0, s3 = 0.0;
+        centre_differential_real t0 = 0.0, t1 = 0.0, t2 = 0.0, t3 = 0.0;
+        for (int j = 0; j + 1 < m; j += 2) {
+            s0 += a[0] * x[j];
+            s1 += a[1] * x[j];
+            s2 += a[2] * x[j];
+            s3 += a[3] * x[j];
+            a += rows;
+            t0 += a[0] * x[j + 1];
+            t1 += a[1] * x[j + 1];
+            t2 += a[2] * x[j + 1];
+            t3 += a[3] * x[j + 1];
+            a += rows;
+        }
+        if (m % 2) {
+            s0 += a[0] * x[m - 1];
+            s1 += a[1] * x[m - 1];
+            s2 += a[2] * x[m - 1];
+            s3 += a[3] * x[m - 1];
+        }
+        y[i] = s0 + t0;
+        y[i + 1] = s1 + t1;
+        y[i + 2] = s2 + t2;
+        y[i + 3] = s3 + t3;
+    }
+}
+
+/* y = x + A T for A (n, m). */
+static inline void centre_differential_add_product(int n, int m, centre_differential_real *restrict y, const centre_differential_real *restrict x,
+    const centre_differential_real *restrict A, const centre_differential_real *restrict T)
+{
+    const int rows = centre_differential_padded(n);
+    for (int i = 0; i < n; ++i) {
+        centre_differential_real sum = x[i];
+        for (int j = 0; j < m; ++j) {
+            sum += A[j * rows + i] * T[j];
+        }
+        y[i] = sum;
+    }
+}
+
+/* Pushes `value` into a delay line; `late` is the value of `steps` steps ago, `early` the one of a step before. */
+static inline void centre_differential_delay(int capacity, centre_differential_real *line, centre_differential_real value, centre_differential_real steps,
+    centre_differential_real *late, centre_differential_real *early)
+{
+    const int depth = (int)steps;
+    *late = depth == 0 ? value : line[depth - 1];
+    *early = line[depth];
+    for (int k = capacity - 1; k > 0; --k) {
+        line[k] = line[k - 1];
+    }
+    line[0] = value;
+}
+
+/* Takes `value` if it is finite and at most `bound` in size, else leaves what was held; `sound` is 1 or 0. */
+static inline void centre_differential_guard(centre_differential_real value, centre_differential_real bound, centre_differential_real before, centre_differential_real *held,
+    centre_differential_real *sound)
+{
+    const int good = centre_differential_abs(value) <= bound; /* false for NaN */
+    *held = good ? value : before;
+    *sound = good ? 1.0 : 0.0;
+}
+
+/*
+ * Function that is linear between the n increasing points of `grid` and constant beyond them; slope[k] holds from
+ * grid[k] on, `first` is the value at grid[0]. Always takes the same time.
+ */
+static inline void centre_differential_lookup(int n, centre_differential_real value, const centre_differential_real *grid, const centre_differential_real *slope,
+    centre_differential_real first, centre_differential_real *result)
+{
+    centre_differential_real sum = first;
+    for (int k = 0; k + 1 < n; ++k) {
+        sum += slope[k] * centre_differential_min(centre_differential_max(value - grid[k], 0.0), grid[k + 1] - grid[k]);
+    }
+    *result = sum;
+}
+
+#endif
