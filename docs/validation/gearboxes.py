@@ -391,7 +391,8 @@ CASES = (
         "Agrees. ptgen finds the inertia from the full model, where the source tunes by hand. Losses of 8 N m and 0.06 "
         "N m s/rad are added behind each output gearbox and given to the controller as maps; the source has such maps "
         "and does not print them. Inertia and maps are those of the simulated bed, so next to no error is left; on a "
-        "real bed it is what these numbers are wrong by, and the source's plant has more in it than its controller knows.",
+        "real bed it is what these numbers are wrong by, and the source's plant has more in it than "
+        "its controller knows.",
         _figure_5_14,
     ),
     Case(
