@@ -12,6 +12,7 @@
 const centre_differential_controller_params centre_differential_controller_defaults = {
     .sample_time = 0.0001,
     .fault_ramp = 0.05,
+    .hold_time = 0.001,
     .flange2_torque_ref_plausible = 6000.0,
     .flange3_torque_ref_plausible = 6000.0,
     .M1_speed_ref_plausible = 1413.716694115407,
@@ -21,6 +22,9 @@ const centre_differential_controller_params centre_differential_controller_defau
     .M2_speed_plausible = 942.4777960769385,
     .flange3_torque_plausible = 6000.0,
     .M3_speed_plausible = 942.4777960769385,
+    .M1_overspeed = 1037.0,
+    .M2_overspeed = 691.2,
+    .M3_overspeed = 691.2,
     .load_compensation = 1.0,
     .acceleration_torque = 1.0,
     .switch_time = 0.5,
@@ -38,11 +42,28 @@ const centre_differential_controller_params centre_differential_controller_defau
     .M3_speed_max = 628.318530717959,
     .M3_speed_taper = 31.4159,
     .M3_torque_max = 1200.0,
+    .disagreement_leak = 5.0,
+    .M1_inertia = 1.0,
+    .M1_disagreement_limit = 37.2,
+    .M1_frozen_limit = 9.3,
+    .frozen_time = 0.01,
+    .M2_inertia = 1.9,
+    .M2_disagreement_limit = 25.3,
+    .M2_frozen_limit = 6.33,
+    .M3_inertia = 1.9,
+    .M3_disagreement_limit = 25.3,
+    .M3_frozen_limit = 6.33,
+    .oscillation_frequency = 5.47,
+    .flange1_torque_oscillation_limit = 930.0,
+    .flange2_torque_oscillation_limit = 1200.0,
+    .flange3_torque_oscillation_limit = 1200.0,
+    .M1_torque_ref_oscillation_limit = 465.0,
+    .M2_torque_ref_oscillation_limit = 600.0,
+    .M3_torque_ref_oscillation_limit = 600.0,
     .M1_speed_ref_rate = 930.0,
     .M1_speed_gain = 15.0,
     .M1_speed_integral_gain = 56.25,
     .M2_sensor_inertia_M1 = 0.0,
-    .M1_inertia = 1.0,
     .M2_inertia_estimate = 1.9,
     .M2_feedforward = 1.0,
     .M2_torque_gain = 0.0,
@@ -73,6 +94,7 @@ const centre_differential_controller_params centre_differential_controller_defau
 const centre_differential_controller_params centre_differential_controller_conventional = {
     .sample_time = 0.0001,
     .fault_ramp = 0.05,
+    .hold_time = 0.001,
     .flange2_torque_ref_plausible = 6000.0,
     .flange3_torque_ref_plausible = 6000.0,
     .M1_speed_ref_plausible = 1413.716694115407,
@@ -82,6 +104,9 @@ const centre_differential_controller_params centre_differential_controller_conve
     .M2_speed_plausible = 942.4777960769385,
     .flange3_torque_plausible = 6000.0,
     .M3_speed_plausible = 942.4777960769385,
+    .M1_overspeed = 1037.0,
+    .M2_overspeed = 691.2,
+    .M3_overspeed = 691.2,
     .load_compensation = 0.0,
     .acceleration_torque = 0.0,
     .switch_time = 0.5,
@@ -99,11 +124,28 @@ const centre_differential_controller_params centre_differential_controller_conve
     .M3_speed_max = 628.318530717959,
     .M3_speed_taper = 31.4159,
     .M3_torque_max = 1200.0,
+    .disagreement_leak = 5.0,
+    .M1_inertia = 1.0,
+    .M1_disagreement_limit = 37.2,
+    .M1_frozen_limit = 9.3,
+    .frozen_time = 0.01,
+    .M2_inertia = 1.9,
+    .M2_disagreement_limit = 25.3,
+    .M2_frozen_limit = 6.33,
+    .M3_inertia = 1.9,
+    .M3_disagreement_limit = 25.3,
+    .M3_frozen_limit = 6.33,
+    .oscillation_frequency = 5.47,
+    .flange1_torque_oscillation_limit = 930.0,
+    .flange2_torque_oscillation_limit = 1200.0,
+    .flange3_torque_oscillation_limit = 1200.0,
+    .M1_torque_ref_oscillation_limit = 465.0,
+    .M2_torque_ref_oscillation_limit = 600.0,
+    .M3_torque_ref_oscillation_limit = 600.0,
     .M1_speed_ref_rate = 930.0,
     .M1_speed_gain = 15.0,
     .M1_speed_integral_gain = 56.25,
     .M2_sensor_inertia_M1 = 0.0,
-    .M1_inertia = 1.0,
     .M2_inertia_estimate = 1.9,
     .M2_feedforward = 1.0,
     .M2_torque_gain = 0.0,
@@ -142,6 +184,7 @@ static const struct {
 } limits[] = {
     { "the parameter sample_time is outside its range", offsetof(centre_differential_controller_params, sample_time), 0.0, DBL_MAX, 1, 0 },
     { "the parameter fault_ramp is outside its range", offsetof(centre_differential_controller_params, fault_ramp), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter hold_time is outside its range", offsetof(centre_differential_controller_params, hold_time), 0.0, DBL_MAX, 0, 0 },
     { "the parameter flange2_torque_ref_plausible is outside its range", offsetof(centre_differential_controller_params, flange2_torque_ref_plausible), 0.0, DBL_MAX, 1, 0 },
     { "the parameter flange3_torque_ref_plausible is outside its range", offsetof(centre_differential_controller_params, flange3_torque_ref_plausible), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M1_speed_ref_plausible is outside its range", offsetof(centre_differential_controller_params, M1_speed_ref_plausible), 0.0, DBL_MAX, 1, 0 },
@@ -151,6 +194,9 @@ static const struct {
     { "the parameter M2_speed_plausible is outside its range", offsetof(centre_differential_controller_params, M2_speed_plausible), 0.0, DBL_MAX, 1, 0 },
     { "the parameter flange3_torque_plausible is outside its range", offsetof(centre_differential_controller_params, flange3_torque_plausible), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M3_speed_plausible is outside its range", offsetof(centre_differential_controller_params, M3_speed_plausible), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_overspeed is outside its range", offsetof(centre_differential_controller_params, M1_overspeed), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_overspeed is outside its range", offsetof(centre_differential_controller_params, M2_overspeed), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M3_overspeed is outside its range", offsetof(centre_differential_controller_params, M3_overspeed), 0.0, DBL_MAX, 1, 0 },
     { "the parameter load_compensation is outside its range", offsetof(centre_differential_controller_params, load_compensation), 0.0, 1.0, 0, 0 },
     { "the parameter acceleration_torque is outside its range", offsetof(centre_differential_controller_params, acceleration_torque), 0.0, 1.0, 0, 0 },
     { "the parameter switch_time is outside its range", offsetof(centre_differential_controller_params, switch_time), 0.0, DBL_MAX, 1, 0 },
@@ -159,20 +205,37 @@ static const struct {
     { "the parameter M1_speed_rated is outside its range", offsetof(centre_differential_controller_params, M1_speed_rated), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M1_speed_max is outside its range", offsetof(centre_differential_controller_params, M1_speed_max), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M1_speed_taper is outside its range", offsetof(centre_differential_controller_params, M1_speed_taper), 0.0, DBL_MAX, 1, 0 },
-    { "the parameter M1_torque_max is outside its range", offsetof(centre_differential_controller_params, M1_torque_max), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_torque_max is outside its range", offsetof(centre_differential_controller_params, M1_torque_max), 0.0, 930.0, 1, 0 },
     { "the parameter M2_speed_rated is outside its range", offsetof(centre_differential_controller_params, M2_speed_rated), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M2_speed_max is outside its range", offsetof(centre_differential_controller_params, M2_speed_max), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M2_speed_taper is outside its range", offsetof(centre_differential_controller_params, M2_speed_taper), 0.0, DBL_MAX, 1, 0 },
-    { "the parameter M2_torque_max is outside its range", offsetof(centre_differential_controller_params, M2_torque_max), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_torque_max is outside its range", offsetof(centre_differential_controller_params, M2_torque_max), 0.0, 1200.0, 1, 0 },
     { "the parameter M3_speed_rated is outside its range", offsetof(centre_differential_controller_params, M3_speed_rated), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M3_speed_max is outside its range", offsetof(centre_differential_controller_params, M3_speed_max), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M3_speed_taper is outside its range", offsetof(centre_differential_controller_params, M3_speed_taper), 0.0, DBL_MAX, 1, 0 },
-    { "the parameter M3_torque_max is outside its range", offsetof(centre_differential_controller_params, M3_torque_max), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M3_torque_max is outside its range", offsetof(centre_differential_controller_params, M3_torque_max), 0.0, 1200.0, 1, 0 },
+    { "the parameter disagreement_leak is outside its range", offsetof(centre_differential_controller_params, disagreement_leak), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter M1_inertia is outside its range", offsetof(centre_differential_controller_params, M1_inertia), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_disagreement_limit is outside its range", offsetof(centre_differential_controller_params, M1_disagreement_limit), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_frozen_limit is outside its range", offsetof(centre_differential_controller_params, M1_frozen_limit), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter frozen_time is outside its range", offsetof(centre_differential_controller_params, frozen_time), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter M2_inertia is outside its range", offsetof(centre_differential_controller_params, M2_inertia), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_disagreement_limit is outside its range", offsetof(centre_differential_controller_params, M2_disagreement_limit), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_frozen_limit is outside its range", offsetof(centre_differential_controller_params, M2_frozen_limit), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M3_inertia is outside its range", offsetof(centre_differential_controller_params, M3_inertia), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M3_disagreement_limit is outside its range", offsetof(centre_differential_controller_params, M3_disagreement_limit), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M3_frozen_limit is outside its range", offsetof(centre_differential_controller_params, M3_frozen_limit), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter oscillation_frequency is outside its range", offsetof(centre_differential_controller_params, oscillation_frequency), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter flange1_torque_oscillation_limit is outside its range", offsetof(centre_differential_controller_params, flange1_torque_oscillation_limit), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter flange2_torque_oscillation_limit is outside its range", offsetof(centre_differential_controller_params, flange2_torque_oscillation_limit), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter flange3_torque_oscillation_limit is outside its range", offsetof(centre_differential_controller_params, flange3_torque_oscillation_limit), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_torque_ref_oscillation_limit is outside its range", offsetof(centre_differential_controller_params, M1_torque_ref_oscillation_limit), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_torque_ref_oscillation_limit is outside its range", offsetof(centre_differential_controller_params, M2_torque_ref_oscillation_limit), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M3_torque_ref_oscillation_limit is outside its range", offsetof(centre_differential_controller_params, M3_torque_ref_oscillation_limit), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M1_speed_ref_rate is outside its range", offsetof(centre_differential_controller_params, M1_speed_ref_rate), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M1_speed_gain is outside its range", offsetof(centre_differential_controller_params, M1_speed_gain), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M1_speed_integral_gain is outside its range", offsetof(centre_differential_controller_params, M1_speed_integral_gain), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M2_sensor_inertia_M1 is outside its range", offsetof(centre_differential_controller_params, M2_sensor_inertia_M1), -DBL_MAX, DBL_MAX, 0, 0 },
-    { "the parameter M1_inertia is outside its range", offsetof(centre_differential_controller_params, M1_inertia), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M2_inertia_estimate is outside its range", offsetof(centre_differential_controller_params, M2_inertia_estimate), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M2_feedforward is outside its range", offsetof(centre_differential_controller_params, M2_feedforward), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M2_torque_gain is outside its range", offsetof(centre_differential_controller_params, M2_torque_gain), -1.0, DBL_MAX, 1, 0 },
@@ -208,29 +271,65 @@ const char *centre_differential_controller_status_text(centre_differential_contr
     case centre_differential_controller_ok:
         return "ok";
     case centre_differential_controller_fault_flange2_torque_ref:
-        return "fault: flange2_torque_ref was not finite or not plausible";
+        return "flange2_torque_ref: not finite or not plausible";
     case centre_differential_controller_fault_flange3_torque_ref:
-        return "fault: flange3_torque_ref was not finite or not plausible";
+        return "flange3_torque_ref: not finite or not plausible";
     case centre_differential_controller_fault_M1_speed_ref:
-        return "fault: M1_speed_ref was not finite or not plausible";
+        return "M1_speed_ref: not finite or not plausible";
     case centre_differential_controller_fault_M1_speed:
-        return "fault: M1_speed was not finite or not plausible";
+        return "M1_speed: not finite or not plausible";
     case centre_differential_controller_fault_flange1_torque:
-        return "fault: flange1_torque was not finite or not plausible";
+        return "flange1_torque: not finite or not plausible";
     case centre_differential_controller_fault_flange2_torque:
-        return "fault: flange2_torque was not finite or not plausible";
+        return "flange2_torque: not finite or not plausible";
     case centre_differential_controller_fault_M2_speed:
-        return "fault: M2_speed was not finite or not plausible";
+        return "M2_speed: not finite or not plausible";
     case centre_differential_controller_fault_flange3_torque:
-        return "fault: flange3_torque was not finite or not plausible";
+        return "flange3_torque: not finite or not plausible";
     case centre_differential_controller_fault_M3_speed:
-        return "fault: M3_speed was not finite or not plausible";
+        return "M3_speed: not finite or not plausible";
+    case centre_differential_controller_fault_M1_speed_overspeed:
+        return "M1_speed: overspeed";
+    case centre_differential_controller_fault_M2_speed_overspeed:
+        return "M2_speed: overspeed";
+    case centre_differential_controller_fault_M3_speed_overspeed:
+        return "M3_speed: overspeed";
+    case centre_differential_controller_fault_M1_speed_frozen:
+        return "M1_speed: frozen while the torques accelerate the machine";
+    case centre_differential_controller_fault_M1_speed_disagreement:
+        return "M1_speed: disagrees with the integrated torque";
+    case centre_differential_controller_fault_flange1_torque_frozen:
+        return "flange1_torque: frozen while the torque of the machine changes";
+    case centre_differential_controller_fault_M2_speed_frozen:
+        return "M2_speed: frozen while the torques accelerate the machine";
+    case centre_differential_controller_fault_M2_speed_disagreement:
+        return "M2_speed: disagrees with the integrated torque";
+    case centre_differential_controller_fault_flange2_torque_frozen:
+        return "flange2_torque: frozen while the torque of the machine changes";
+    case centre_differential_controller_fault_M3_speed_frozen:
+        return "M3_speed: frozen while the torques accelerate the machine";
+    case centre_differential_controller_fault_M3_speed_disagreement:
+        return "M3_speed: disagrees with the integrated torque";
+    case centre_differential_controller_fault_flange3_torque_frozen:
+        return "flange3_torque: frozen while the torque of the machine changes";
+    case centre_differential_controller_fault_flange1_torque_oscillation:
+        return "flange1_torque: oscillates beyond its limit";
+    case centre_differential_controller_fault_flange2_torque_oscillation:
+        return "flange2_torque: oscillates beyond its limit";
+    case centre_differential_controller_fault_flange3_torque_oscillation:
+        return "flange3_torque: oscillates beyond its limit";
+    case centre_differential_controller_fault_M1_torque_ref_oscillation:
+        return "M1_torque_ref: the command oscillates";
+    case centre_differential_controller_fault_M2_torque_ref_oscillation:
+        return "M2_torque_ref: the command oscillates";
+    case centre_differential_controller_fault_M3_torque_ref_oscillation:
+        return "M3_torque_ref: the command oscillates";
     case centre_differential_controller_fault_M1_torque_ref:
-        return "fault: M1_torque_ref was not finite or not plausible";
+        return "M1_torque_ref: the command is not finite, or beyond the torque of the machine";
     case centre_differential_controller_fault_M2_torque_ref:
-        return "fault: M2_torque_ref was not finite or not plausible";
+        return "M2_torque_ref: the command is not finite, or beyond the torque of the machine";
     case centre_differential_controller_fault_M3_torque_ref:
-        return "fault: M3_torque_ref was not finite or not plausible";
+        return "M3_torque_ref: the command is not finite, or beyond the torque of the machine";
     default:
         break;
     }
@@ -242,6 +341,16 @@ centre_differential_controller_status centre_differential_controller_init(centre
 {
     memset(s, 0, sizeof *s);
     s->authority = 1.0;
+    s->flange2_torque_ref_bad_time = 1e+30;
+    s->flange3_torque_ref_bad_time = 1e+30;
+    s->M1_speed_ref_bad_time = 1e+30;
+    s->M1_speed_bad_time = 1e+30;
+    s->flange1_torque_bad_time = 1e+30;
+    s->flange2_torque_bad_time = 1e+30;
+    s->M2_speed_bad_time = 1e+30;
+    s->flange3_torque_bad_time = 1e+30;
+    s->M3_speed_bad_time = 1e+30;
+    s->reset_before = 1.0;
     const centre_differential_controller_status status = centre_differential_controller_update(s, p);
     if (status != centre_differential_controller_ok) {
         s->authority = 0.0; /* never started: no torque at all */
@@ -256,6 +365,7 @@ centre_differential_controller_status centre_differential_controller_update(cent
         const int above = limits[k].open ? value > limits[k].least : value >= limits[k].least; /* false for NaN */
         if (!(above && value <= limits[k].most) || (limits[k].not_zero && value == 0.0)) {
             s->fault = s->fault > 0.0 ? s->fault : CENTRE_DIFFERENTIAL_REAL(2000 + k); /* latched like any fault */
+            s->refused = 1.0; /* no reset before an update succeeds */
             return (centre_differential_controller_status)(2000 + k);
         }
     }
@@ -266,6 +376,16 @@ centre_differential_controller_status centre_differential_controller_update(cent
     s->M2_taper_end = p->M2_speed_max / p->M2_speed_taper + 1.0;
     s->M3_taper_slope = 1.0 / p->M3_speed_taper;
     s->M3_taper_end = p->M3_speed_max / p->M3_speed_taper + 1.0;
+    s->disagreement_share = p->disagreement_leak * p->sample_time;
+    s->M1_per_step = p->sample_time / p->M1_inertia;
+    s->M2_per_step = p->sample_time / p->M2_inertia;
+    s->M2_balance_share = p->M2_inertia / p->M2_inertia_estimate;
+    s->M2_balance_flange2_torque = p->M2_inertia / p->M2_inertia_estimate;
+    s->M3_per_step = p->sample_time / p->M3_inertia;
+    s->M3_balance_share = p->M3_inertia / p->M3_inertia_estimate;
+    s->M3_balance_flange3_torque = p->M3_inertia / p->M3_inertia_estimate;
+    s->forgotten_swings = p->oscillation_frequency * p->sample_time;
+    s->mean_share = 6.2832 * p->oscillation_frequency * p->sample_time;
     s->M1_speed_ref_step = p->M1_speed_ref_rate * p->sample_time;
     s->M1_speed_growth = p->M1_speed_integral_gain * p->sample_time;
     s->M1_speed_conditioning = p->M1_speed_integral_gain * p->sample_time / p->M1_speed_gain;
@@ -277,120 +397,210 @@ centre_differential_controller_status centre_differential_controller_update(cent
     s->flange3_torque_ref_step = p->flange3_torque_ref_rate * p->sample_time;
     s->M3_model_pull = p->M3_model_stiffness * p->sample_time / p->M3_inertia_estimate;
     s->M3_model_drag = p->M3_model_damping * p->sample_time / p->M3_inertia_estimate;
-    s->M2_twist_M1_speed = -p->flange1_cardan1_cardan2_flange2_equivalent_stiffness /
+    s->M2_twist_M2_M1_speed = -p->flange1_cardan1_cardan2_flange2_equivalent_stiffness /
         p->cardan2_flange2_equivalent_stiffness;
-    s->M2_twist_M3_speed = (p->cardan2_flange2_equivalent_stiffness + p->diff_ratio *
+    s->M2_twist_M2_M3_speed = (p->cardan2_flange2_equivalent_stiffness + p->diff_ratio *
         p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) / p->cardan2_flange2_equivalent_stiffness;
     s->M2_torque_growth = p->M2_torque_integral_gain * p->sample_time;
-    s->M3_twist_M1_speed = (p->diff_ratio * p->flange1_cardan1_equivalent_stiffness +
+    s->M3_twist_M3_M1_speed = (p->diff_ratio * p->flange1_cardan1_equivalent_stiffness +
         p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) / (p->cardan2_flange2_equivalent_stiffness +
         (p->diff_ratio * p->diff_ratio) * p->flange1_cardan1_equivalent_stiffness + 2.0 * p->diff_ratio *
         p->flange1_cardan1_cardan2_flange2_equivalent_stiffness);
-    s->M3_twist_M2_speed = (p->cardan2_flange2_equivalent_stiffness + p->diff_ratio *
+    s->M3_twist_M3_M2_speed = (p->cardan2_flange2_equivalent_stiffness + p->diff_ratio *
         p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) / (p->cardan2_flange2_equivalent_stiffness +
         (p->diff_ratio * p->diff_ratio) * p->flange1_cardan1_equivalent_stiffness + 2.0 * p->diff_ratio *
         p->flange1_cardan1_cardan2_flange2_equivalent_stiffness);
     s->M3_torque_growth = p->M3_torque_integral_gain * p->sample_time;
+    s->M1_largest = 1.01 * centre_differential_min(930.0, p->M1_torque_max);
+    s->M2_largest = 1.01 * centre_differential_min(1200.0, p->M2_torque_max);
+    s->M3_largest = 1.01 * centre_differential_min(1200.0, p->M3_torque_max);
+    s->ramp_step = p->sample_time / p->fault_ramp;
+    s->refused = 0.0;
     return centre_differential_controller_ok;
 }
 
 centre_differential_controller_status centre_differential_controller_step(centre_differential_controller_state *s, const centre_differential_controller_params *p,
     const centre_differential_controller_inputs *in, centre_differential_controller_outputs *out)
 {
-    /* supervision */
+    /* supervision: bad samples are bridged */
     centre_differential_real flange2_torque_ref_sound;
     centre_differential_guard(in->flange2_torque_ref, p->flange2_torque_ref_plausible, s->flange2_torque_ref_held,
         &s->flange2_torque_ref_held, &flange2_torque_ref_sound);
+    centre_differential_real flange2_torque_ref_lost;
+    centre_differential_lasting(flange2_torque_ref_sound, s->flange2_torque_ref_bad_time, p->sample_time,
+        p->hold_time, &s->flange2_torque_ref_bad_time, &flange2_torque_ref_lost);
+    const centre_differential_real cause_fault_flange2_torque_ref =
+        centre_differential_select(flange2_torque_ref_lost > 0.0, 1.0, 9999.0);
     centre_differential_real flange3_torque_ref_sound;
     centre_differential_guard(in->flange3_torque_ref, p->flange3_torque_ref_plausible, s->flange3_torque_ref_held,
         &s->flange3_torque_ref_held, &flange3_torque_ref_sound);
+    centre_differential_real flange3_torque_ref_lost;
+    centre_differential_lasting(flange3_torque_ref_sound, s->flange3_torque_ref_bad_time, p->sample_time,
+        p->hold_time, &s->flange3_torque_ref_bad_time, &flange3_torque_ref_lost);
+    const centre_differential_real cause_fault_flange3_torque_ref =
+        centre_differential_select(flange3_torque_ref_lost > 0.0, 2.0, 9999.0);
     centre_differential_real M1_speed_ref_sound;
     centre_differential_guard(in->M1_speed_ref, p->M1_speed_ref_plausible, s->M1_speed_ref_held,
         &s->M1_speed_ref_held, &M1_speed_ref_sound);
+    centre_differential_real M1_speed_ref_lost;
+    centre_differential_lasting(M1_speed_ref_sound, s->M1_speed_ref_bad_time, p->sample_time, p->hold_time,
+        &s->M1_speed_ref_bad_time, &M1_speed_ref_lost);
+    const centre_differential_real cause_fault_M1_speed_ref = centre_differential_select(M1_speed_ref_lost > 0.0,
+        3.0, 9999.0);
     centre_differential_real M1_speed_sound;
     centre_differential_guard(in->M1_speed, p->M1_speed_plausible, s->M1_speed_held, &s->M1_speed_held,
         &M1_speed_sound);
+    centre_differential_real M1_speed_lost;
+    centre_differential_lasting(M1_speed_sound, s->M1_speed_bad_time, p->sample_time, p->hold_time,
+        &s->M1_speed_bad_time, &M1_speed_lost);
+    const centre_differential_real cause_fault_M1_speed = centre_differential_select(M1_speed_lost > 0.0, 4.0,
+        9999.0);
     centre_differential_real flange1_torque_sound;
     centre_differential_guard(in->flange1_torque, p->flange1_torque_plausible, s->flange1_torque_held,
         &s->flange1_torque_held, &flange1_torque_sound);
+    centre_differential_real flange1_torque_lost;
+    centre_differential_lasting(flange1_torque_sound, s->flange1_torque_bad_time, p->sample_time, p->hold_time,
+        &s->flange1_torque_bad_time, &flange1_torque_lost);
+    const centre_differential_real cause_fault_flange1_torque = centre_differential_select(flange1_torque_lost >
+        0.0, 5.0, 9999.0);
     centre_differential_real flange2_torque_sound;
     centre_differential_guard(in->flange2_torque, p->flange2_torque_plausible, s->flange2_torque_held,
         &s->flange2_torque_held, &flange2_torque_sound);
+    centre_differential_real flange2_torque_lost;
+    centre_differential_lasting(flange2_torque_sound, s->flange2_torque_bad_time, p->sample_time, p->hold_time,
+        &s->flange2_torque_bad_time, &flange2_torque_lost);
+    const centre_differential_real cause_fault_flange2_torque = centre_differential_select(flange2_torque_lost >
+        0.0, 6.0, 9999.0);
     centre_differential_real M2_speed_sound;
     centre_differential_guard(in->M2_speed, p->M2_speed_plausible, s->M2_speed_held, &s->M2_speed_held,
         &M2_speed_sound);
+    centre_differential_real M2_speed_lost;
+    centre_differential_lasting(M2_speed_sound, s->M2_speed_bad_time, p->sample_time, p->hold_time,
+        &s->M2_speed_bad_time, &M2_speed_lost);
+    const centre_differential_real cause_fault_M2_speed = centre_differential_select(M2_speed_lost > 0.0, 7.0,
+        9999.0);
     centre_differential_real flange3_torque_sound;
     centre_differential_guard(in->flange3_torque, p->flange3_torque_plausible, s->flange3_torque_held,
         &s->flange3_torque_held, &flange3_torque_sound);
+    centre_differential_real flange3_torque_lost;
+    centre_differential_lasting(flange3_torque_sound, s->flange3_torque_bad_time, p->sample_time, p->hold_time,
+        &s->flange3_torque_bad_time, &flange3_torque_lost);
+    const centre_differential_real cause_fault_flange3_torque = centre_differential_select(flange3_torque_lost >
+        0.0, 8.0, 9999.0);
     centre_differential_real M3_speed_sound;
     centre_differential_guard(in->M3_speed, p->M3_speed_plausible, s->M3_speed_held, &s->M3_speed_held,
         &M3_speed_sound);
+    centre_differential_real M3_speed_lost;
+    centre_differential_lasting(M3_speed_sound, s->M3_speed_bad_time, p->sample_time, p->hold_time,
+        &s->M3_speed_bad_time, &M3_speed_lost);
+    const centre_differential_real cause_fault_M3_speed = centre_differential_select(M3_speed_lost > 0.0, 9.0,
+        9999.0);
+    /* overspeed */
+    const centre_differential_real M1_slow_enough = centre_differential_select(p->M1_overspeed >=
+        centre_differential_abs(s->M1_speed_held), 1.0, 0.0);
+    centre_differential_real M1_too_fast;
+    centre_differential_lasting(M1_slow_enough, s->M1_overspeed_time, p->sample_time, p->hold_time,
+        &s->M1_overspeed_time, &M1_too_fast);
+    const centre_differential_real cause_fault_M1_speed_overspeed = centre_differential_select(M1_too_fast > 0.0,
+        4004.0, 9999.0);
+    const centre_differential_real M2_slow_enough = centre_differential_select(p->M2_overspeed >=
+        centre_differential_abs(s->M2_speed_held), 1.0, 0.0);
+    centre_differential_real M2_too_fast;
+    centre_differential_lasting(M2_slow_enough, s->M2_overspeed_time, p->sample_time, p->hold_time,
+        &s->M2_overspeed_time, &M2_too_fast);
+    const centre_differential_real cause_fault_M2_speed_overspeed = centre_differential_select(M2_too_fast > 0.0,
+        4007.0, 9999.0);
+    const centre_differential_real M3_slow_enough = centre_differential_select(p->M3_overspeed >=
+        centre_differential_abs(s->M3_speed_held), 1.0, 0.0);
+    centre_differential_real M3_too_fast;
+    centre_differential_lasting(M3_slow_enough, s->M3_overspeed_time, p->sample_time, p->hold_time,
+        &s->M3_overspeed_time, &M3_too_fast);
+    const centre_differential_real cause_fault_M3_speed_overspeed = centre_differential_select(M3_too_fast > 0.0,
+        4009.0, 9999.0);
+    /* reset on request, when the cause is gone */
+    const centre_differential_real reset_pressed = centre_differential_select(centre_differential_abs(in->reset -
+        1.0) <= 0.5, 1.0, 0.0);
+    const centre_differential_real inputs_sound =
+        centre_differential_min(centre_differential_min(centre_differential_min(centre_differential_min(M1_slow_enough,
+        M1_speed_ref_sound), centre_differential_min(M1_speed_sound, M2_slow_enough)),
+        centre_differential_min(centre_differential_min(M2_speed_sound, M3_slow_enough),
+        centre_differential_min(M3_speed_sound, flange1_torque_sound))),
+        centre_differential_min(centre_differential_min(flange2_torque_ref_sound, flange2_torque_sound),
+        centre_differential_min(flange3_torque_ref_sound, flange3_torque_sound)));
+    const centre_differential_real latched = centre_differential_select(s->fault > 0.5, 1.0, 0.0);
+    s->reset_request = inputs_sound * latched * (1.0 - s->refused) * centre_differential_max(s->reset_request,
+        -s->reset_before + reset_pressed);
+    s->reset_before = reset_pressed;
+    s->fault = s->fault * (1.0 - centre_differential_select(s->authority <= 0.0, s->reset_request, 0.0));
+    s->reset_request = centre_differential_select(s->fault > 0.5, s->reset_request, 0.0);
     /* the first fault is latched */
-    s->fault = ((s->fault < 0.5 && flange2_torque_ref_sound < 0.5) ? 1.0 : s->fault);
-    s->fault = ((s->fault < 0.5 && flange3_torque_ref_sound < 0.5) ? 2.0 : s->fault);
-    s->fault = ((M1_speed_ref_sound < 0.5 && s->fault < 0.5) ? 3.0 : s->fault);
-    s->fault = ((M1_speed_sound < 0.5 && s->fault < 0.5) ? 4.0 : s->fault);
-    s->fault = ((s->fault < 0.5 && flange1_torque_sound < 0.5) ? 5.0 : s->fault);
-    s->fault = ((s->fault < 0.5 && flange2_torque_sound < 0.5) ? 6.0 : s->fault);
-    s->fault = ((M2_speed_sound < 0.5 && s->fault < 0.5) ? 7.0 : s->fault);
-    s->fault = ((s->fault < 0.5 && flange3_torque_sound < 0.5) ? 8.0 : s->fault);
-    s->fault = ((M3_speed_sound < 0.5 && s->fault < 0.5) ? 9.0 : s->fault);
+    const centre_differential_real cause_of_inputs =
+        centre_differential_min(centre_differential_min(centre_differential_min(centre_differential_min(cause_fault_M1_speed,
+        cause_fault_M1_speed_overspeed), centre_differential_min(cause_fault_M1_speed_ref, cause_fault_M2_speed)),
+        centre_differential_min(centre_differential_min(cause_fault_M2_speed_overspeed, cause_fault_M3_speed),
+        centre_differential_min(cause_fault_M3_speed_overspeed, cause_fault_flange1_torque))),
+        centre_differential_min(centre_differential_min(cause_fault_flange2_torque, cause_fault_flange2_torque_ref),
+        centre_differential_min(cause_fault_flange3_torque, cause_fault_flange3_torque_ref)));
+    s->fault = centre_differential_select(s->fault > 0.5, s->fault, centre_differential_select(cause_of_inputs >
+        9998.0, 0.0, cause_of_inputs));
     /* load_compensation follows its parameter along a ramp */
-    const centre_differential_real load_compensation_before = ((s->running > 0.5) ? s->load_compensation_now :
-        p->load_compensation);
+    const centre_differential_real load_compensation_before = centre_differential_select(s->running > 0.5,
+        s->load_compensation_now, p->load_compensation);
     const centre_differential_real load_compensation_distance = p->load_compensation - load_compensation_before;
-    const centre_differential_real load_compensation_moved = ((p->load_compensation != s->load_compensation_target)
-        ? centre_differential_max(s->switch_share * centre_differential_abs(load_compensation_distance), 1e-06 *
-        centre_differential_abs(p->load_compensation) + 1e-06 * centre_differential_abs(load_compensation_before)) :
-        s->load_compensation_step);
-    s->load_compensation_now = ((load_compensation_moved >= centre_differential_abs(load_compensation_distance)) ?
-        p->load_compensation : ((load_compensation_distance > 0.0) ? load_compensation_before +
-        load_compensation_moved : load_compensation_before - load_compensation_moved));
-    s->load_compensation_step = ((load_compensation_moved >= centre_differential_abs(load_compensation_distance)) ?
-        0.0 : load_compensation_moved);
+    const centre_differential_real load_compensation_moved = centre_differential_select(p->load_compensation !=
+        s->load_compensation_target, centre_differential_max(s->switch_share *
+        centre_differential_abs(load_compensation_distance), 1e-06 * centre_differential_abs(p->load_compensation) +
+        1e-06 * centre_differential_abs(load_compensation_before)), s->load_compensation_step);
+    s->load_compensation_now = centre_differential_select(load_compensation_distance > load_compensation_moved,
+        load_compensation_before + load_compensation_moved, centre_differential_select(load_compensation_distance <
+        -load_compensation_moved, load_compensation_before - load_compensation_moved, p->load_compensation));
+    s->load_compensation_step = centre_differential_select(load_compensation_moved <
+        centre_differential_abs(load_compensation_distance), load_compensation_moved, 0.0);
     s->load_compensation_target = p->load_compensation;
     /* acceleration_torque follows its parameter along a ramp */
-    const centre_differential_real acceleration_torque_before = ((s->running > 0.5) ? s->acceleration_torque_now :
-        p->acceleration_torque);
+    const centre_differential_real acceleration_torque_before = centre_differential_select(s->running > 0.5,
+        s->acceleration_torque_now, p->acceleration_torque);
     const centre_differential_real acceleration_torque_distance = p->acceleration_torque -
         acceleration_torque_before;
-    const centre_differential_real acceleration_torque_moved = ((p->acceleration_torque !=
-        s->acceleration_torque_target) ? centre_differential_max(s->switch_share *
+    const centre_differential_real acceleration_torque_moved = centre_differential_select(p->acceleration_torque !=
+        s->acceleration_torque_target, centre_differential_max(s->switch_share *
         centre_differential_abs(acceleration_torque_distance), 1e-06 *
         centre_differential_abs(p->acceleration_torque) + 1e-06 *
-        centre_differential_abs(acceleration_torque_before)) : s->acceleration_torque_step);
-    s->acceleration_torque_now = ((acceleration_torque_moved >=
-        centre_differential_abs(acceleration_torque_distance)) ? p->acceleration_torque :
-        ((acceleration_torque_distance > 0.0) ? acceleration_torque_before + acceleration_torque_moved :
-        acceleration_torque_before - acceleration_torque_moved));
-    s->acceleration_torque_step = ((acceleration_torque_moved >=
-        centre_differential_abs(acceleration_torque_distance)) ? 0.0 : acceleration_torque_moved);
+        centre_differential_abs(acceleration_torque_before)), s->acceleration_torque_step);
+    s->acceleration_torque_now = centre_differential_select(acceleration_torque_distance >
+        acceleration_torque_moved, acceleration_torque_before + acceleration_torque_moved,
+        centre_differential_select(acceleration_torque_distance < -acceleration_torque_moved,
+        acceleration_torque_before - acceleration_torque_moved, p->acceleration_torque));
+    s->acceleration_torque_step = centre_differential_select(acceleration_torque_moved <
+        centre_differential_abs(acceleration_torque_distance), acceleration_torque_moved, 0.0);
     s->acceleration_torque_target = p->acceleration_torque;
     /* M2_damping follows its parameter along a ramp */
-    const centre_differential_real M2_damping_before = ((s->running > 0.5) ? s->M2_damping_now : p->M2_damping);
+    const centre_differential_real M2_damping_before = centre_differential_select(s->running > 0.5,
+        s->M2_damping_now, p->M2_damping);
     const centre_differential_real M2_damping_distance = p->M2_damping - M2_damping_before;
-    const centre_differential_real M2_damping_moved = ((p->M2_damping != s->M2_damping_target) ?
-        centre_differential_max(s->switch_share * centre_differential_abs(M2_damping_distance), 1e-06 *
-        centre_differential_abs(p->M2_damping) + 1e-06 * centre_differential_abs(M2_damping_before)) :
-        s->M2_damping_step);
-    s->M2_damping_now = ((M2_damping_moved >= centre_differential_abs(M2_damping_distance)) ? p->M2_damping :
-        ((M2_damping_distance > 0.0) ? M2_damping_before + M2_damping_moved : M2_damping_before -
-        M2_damping_moved));
-    s->M2_damping_step = ((M2_damping_moved >= centre_differential_abs(M2_damping_distance)) ? 0.0 :
-        M2_damping_moved);
+    const centre_differential_real M2_damping_moved = centre_differential_select(p->M2_damping !=
+        s->M2_damping_target, centre_differential_max(s->switch_share *
+        centre_differential_abs(M2_damping_distance), 1e-06 * centre_differential_abs(p->M2_damping) + 1e-06 *
+        centre_differential_abs(M2_damping_before)), s->M2_damping_step);
+    s->M2_damping_now = centre_differential_select(M2_damping_distance > M2_damping_moved, M2_damping_before +
+        M2_damping_moved, centre_differential_select(M2_damping_distance < -M2_damping_moved, M2_damping_before -
+        M2_damping_moved, p->M2_damping));
+    s->M2_damping_step = centre_differential_select(M2_damping_moved < centre_differential_abs(M2_damping_distance),
+        M2_damping_moved, 0.0);
     s->M2_damping_target = p->M2_damping;
     /* M3_damping follows its parameter along a ramp */
-    const centre_differential_real M3_damping_before = ((s->running > 0.5) ? s->M3_damping_now : p->M3_damping);
+    const centre_differential_real M3_damping_before = centre_differential_select(s->running > 0.5,
+        s->M3_damping_now, p->M3_damping);
     const centre_differential_real M3_damping_distance = p->M3_damping - M3_damping_before;
-    const centre_differential_real M3_damping_moved = ((p->M3_damping != s->M3_damping_target) ?
-        centre_differential_max(s->switch_share * centre_differential_abs(M3_damping_distance), 1e-06 *
-        centre_differential_abs(p->M3_damping) + 1e-06 * centre_differential_abs(M3_damping_before)) :
-        s->M3_damping_step);
-    s->M3_damping_now = ((M3_damping_moved >= centre_differential_abs(M3_damping_distance)) ? p->M3_damping :
-        ((M3_damping_distance > 0.0) ? M3_damping_before + M3_damping_moved : M3_damping_before -
-        M3_damping_moved));
-    s->M3_damping_step = ((M3_damping_moved >= centre_differential_abs(M3_damping_distance)) ? 0.0 :
-        M3_damping_moved);
+    const centre_differential_real M3_damping_moved = centre_differential_select(p->M3_damping !=
+        s->M3_damping_target, centre_differential_max(s->switch_share *
+        centre_differential_abs(M3_damping_distance), 1e-06 * centre_differential_abs(p->M3_damping) + 1e-06 *
+        centre_differential_abs(M3_damping_before)), s->M3_damping_step);
+    s->M3_damping_now = centre_differential_select(M3_damping_distance > M3_damping_moved, M3_damping_before +
+        M3_damping_moved, centre_differential_select(M3_damping_distance < -M3_damping_moved, M3_damping_before -
+        M3_damping_moved, p->M3_damping));
+    s->M3_damping_step = centre_differential_select(M3_damping_moved < centre_differential_abs(M3_damping_distance),
+        M3_damping_moved, 0.0);
     s->M3_damping_target = p->M3_damping;
     /* torque-speed envelope, Figure 7.1 */
     const centre_differential_real M1_available = p->M1_speed_rated * p->M1_torque_max /
@@ -411,9 +621,183 @@ centre_differential_controller_status centre_differential_controller_step(centre
         centre_differential_min(1.0, s->M3_speed_held * s->M3_taper_slope + s->M3_taper_end));
     const centre_differential_real M3_most = M3_available * centre_differential_max(0.0,
         centre_differential_min(1.0, -s->M3_speed_held * s->M3_taper_slope + s->M3_taper_end));
+    /* torque commands of the step before */
+    const centre_differential_real M1_applied = s->M1_last * s->authority;
+    const centre_differential_real M2_applied = s->M2_last * s->authority;
+    const centre_differential_real M3_applied = s->M3_last * s->authority;
+    /* speed from the torques on the rotor */
+    const centre_differential_real M1_integrated_before = centre_differential_select(s->running > 0.5,
+        s->M1_integrated, s->M1_speed_held);
+    s->M1_integrated = M1_integrated_before + s->M1_per_step * (M1_applied - s->flange1_torque_held) +
+        s->disagreement_share * (-M1_integrated_before + s->M1_speed_held);
+    const centre_differential_real M1_difference = centre_differential_abs(s->M1_integrated - s->M1_speed_held);
+    /* speed against torques */
+    const centre_differential_real M1_agrees = centre_differential_select(M1_difference <= p->M1_disagreement_limit,
+        1.0, 0.0);
+    centre_differential_real M1_disagrees;
+    centre_differential_lasting(M1_agrees, s->M1_disagreement_time, p->sample_time, p->hold_time,
+        &s->M1_disagreement_time, &M1_disagrees);
+    /* M1_speed to the last bit */
+    centre_differential_still(s->M1_speed_held, s->M1_speed_before, s->M1_speed_still_time, p->sample_time,
+        &s->M1_speed_still_time);
+    s->M1_speed_before = s->M1_speed_held;
+    const centre_differential_real cause_fault_M1_speed_frozen =
+        centre_differential_select(centre_differential_min(M1_difference - p->M1_frozen_limit,
+        s->M1_speed_still_time - p->frozen_time) > 0.0, 3004.0, 9999.0);
+    const centre_differential_real cause_fault_M1_speed_disagreement = centre_differential_select(M1_disagrees >
+        0.0, 5004.0, 9999.0);
+    /* flange1_torque to the last bit */
+    centre_differential_still(s->flange1_torque_held, s->flange1_torque_before, s->flange1_torque_still_time,
+        p->sample_time, &s->flange1_torque_still_time);
+    s->flange1_torque_before = s->flange1_torque_held;
+    s->flange1_torque_command = centre_differential_select(s->flange1_torque_still_time > 0.0,
+        s->flange1_torque_command, M1_applied);
+    const centre_differential_real cause_fault_flange1_torque_frozen =
+        centre_differential_select(centre_differential_min(centre_differential_min(M1_difference -
+        p->M1_frozen_limit, s->flange1_torque_still_time - p->frozen_time), -0.05 * p->M1_torque_max +
+        centre_differential_abs(M1_applied - s->flange1_torque_command)) > 0.0, 3005.0, 9999.0);
+    /* speed from the torques on the rotor */
+    const centre_differential_real M2_integrated_before = centre_differential_select(s->running > 0.5,
+        s->M2_integrated, s->M2_speed_held);
+    s->M2_integrated = M2_integrated_before + s->M2_per_step * (M2_applied * s->M2_balance_share +
+        s->M2_balance_flange2_torque * s->flange2_torque_held) + s->disagreement_share * (-M2_integrated_before +
+        s->M2_speed_held);
+    const centre_differential_real M2_difference = centre_differential_abs(s->M2_integrated - s->M2_speed_held);
+    /* speed against torques */
+    const centre_differential_real M2_agrees = centre_differential_select(M2_difference <= p->M2_disagreement_limit,
+        1.0, 0.0);
+    centre_differential_real M2_disagrees;
+    centre_differential_lasting(M2_agrees, s->M2_disagreement_time, p->sample_time, p->hold_time,
+        &s->M2_disagreement_time, &M2_disagrees);
+    /* M2_speed to the last bit */
+    centre_differential_still(s->M2_speed_held, s->M2_speed_before, s->M2_speed_still_time, p->sample_time,
+        &s->M2_speed_still_time);
+    s->M2_speed_before = s->M2_speed_held;
+    const centre_differential_real cause_fault_M2_speed_frozen =
+        centre_differential_select(centre_differential_min(M2_difference - p->M2_frozen_limit,
+        s->M2_speed_still_time - p->frozen_time) > 0.0, 3007.0, 9999.0);
+    const centre_differential_real cause_fault_M2_speed_disagreement = centre_differential_select(M2_disagrees >
+        0.0, 5007.0, 9999.0);
+    /* flange2_torque to the last bit */
+    centre_differential_still(s->flange2_torque_held, s->flange2_torque_before, s->flange2_torque_still_time,
+        p->sample_time, &s->flange2_torque_still_time);
+    s->flange2_torque_before = s->flange2_torque_held;
+    s->flange2_torque_command = centre_differential_select(s->flange2_torque_still_time > 0.0,
+        s->flange2_torque_command, M2_applied);
+    const centre_differential_real cause_fault_flange2_torque_frozen =
+        centre_differential_select(centre_differential_min(centre_differential_min(M2_difference -
+        p->M2_frozen_limit, s->flange2_torque_still_time - p->frozen_time), -0.05 * p->M2_torque_max +
+        centre_differential_abs(M2_applied - s->flange2_torque_command)) > 0.0, 3006.0, 9999.0);
+    /* speed from the torques on the rotor */
+    const centre_differential_real M3_integrated_before = centre_differential_select(s->running > 0.5,
+        s->M3_integrated, s->M3_speed_held);
+    s->M3_integrated = M3_integrated_before + s->M3_per_step * (M3_applied * s->M3_balance_share +
+        s->M3_balance_flange3_torque * s->flange3_torque_held) + s->disagreement_share * (-M3_integrated_before +
+        s->M3_speed_held);
+    const centre_differential_real M3_difference = centre_differential_abs(s->M3_integrated - s->M3_speed_held);
+    /* speed against torques */
+    const centre_differential_real M3_agrees = centre_differential_select(M3_difference <= p->M3_disagreement_limit,
+        1.0, 0.0);
+    centre_differential_real M3_disagrees;
+    centre_differential_lasting(M3_agrees, s->M3_disagreement_time, p->sample_time, p->hold_time,
+        &s->M3_disagreement_time, &M3_disagrees);
+    /* M3_speed to the last bit */
+    centre_differential_still(s->M3_speed_held, s->M3_speed_before, s->M3_speed_still_time, p->sample_time,
+        &s->M3_speed_still_time);
+    s->M3_speed_before = s->M3_speed_held;
+    const centre_differential_real cause_fault_M3_speed_frozen =
+        centre_differential_select(centre_differential_min(M3_difference - p->M3_frozen_limit,
+        s->M3_speed_still_time - p->frozen_time) > 0.0, 3009.0, 9999.0);
+    const centre_differential_real cause_fault_M3_speed_disagreement = centre_differential_select(M3_disagrees >
+        0.0, 5009.0, 9999.0);
+    /* flange3_torque to the last bit */
+    centre_differential_still(s->flange3_torque_held, s->flange3_torque_before, s->flange3_torque_still_time,
+        p->sample_time, &s->flange3_torque_still_time);
+    s->flange3_torque_before = s->flange3_torque_held;
+    s->flange3_torque_command = centre_differential_select(s->flange3_torque_still_time > 0.0,
+        s->flange3_torque_command, M3_applied);
+    const centre_differential_real cause_fault_flange3_torque_frozen =
+        centre_differential_select(centre_differential_min(centre_differential_min(M3_difference -
+        p->M3_frozen_limit, s->flange3_torque_still_time - p->frozen_time), -0.05 * p->M3_torque_max +
+        centre_differential_abs(M3_applied - s->flange3_torque_command)) > 0.0, 3008.0, 9999.0);
+    /* oscillation of flange1_torque */
+    const centre_differential_real flange1_torque_mean_before = centre_differential_select(s->running > 0.5,
+        s->flange1_torque_mean, s->flange1_torque_held);
+    const centre_differential_real flange1_torque_swing = s->flange1_torque_held - flange1_torque_mean_before;
+    s->flange1_torque_mean = flange1_torque_mean_before + flange1_torque_swing * s->mean_share;
+    s->flange1_torque_swings = centre_differential_select(s->running > 0.5, s->flange1_torque_swings, 0.0);
+    centre_differential_swings(flange1_torque_swing, p->flange1_torque_oscillation_limit, s->flange1_torque_side,
+        s->flange1_torque_swings, s->forgotten_swings, &s->flange1_torque_side, &s->flange1_torque_swings);
+    const centre_differential_real cause_fault_flange1_torque_oscillation =
+        centre_differential_select(s->flange1_torque_swings - 5.5 > 0.0, 6005.0, 9999.0);
+    /* oscillation of flange2_torque */
+    const centre_differential_real flange2_torque_mean_before = centre_differential_select(s->running > 0.5,
+        s->flange2_torque_mean, s->flange2_torque_held);
+    const centre_differential_real flange2_torque_swing = s->flange2_torque_held - flange2_torque_mean_before;
+    s->flange2_torque_mean = flange2_torque_mean_before + flange2_torque_swing * s->mean_share;
+    s->flange2_torque_swings = centre_differential_select(s->running > 0.5, s->flange2_torque_swings, 0.0);
+    centre_differential_swings(flange2_torque_swing, p->flange2_torque_oscillation_limit, s->flange2_torque_side,
+        s->flange2_torque_swings, s->forgotten_swings, &s->flange2_torque_side, &s->flange2_torque_swings);
+    const centre_differential_real cause_fault_flange2_torque_oscillation =
+        centre_differential_select(s->flange2_torque_swings - 5.5 > 0.0, 6006.0, 9999.0);
+    /* oscillation of flange3_torque */
+    const centre_differential_real flange3_torque_mean_before = centre_differential_select(s->running > 0.5,
+        s->flange3_torque_mean, s->flange3_torque_held);
+    const centre_differential_real flange3_torque_swing = s->flange3_torque_held - flange3_torque_mean_before;
+    s->flange3_torque_mean = flange3_torque_mean_before + flange3_torque_swing * s->mean_share;
+    s->flange3_torque_swings = centre_differential_select(s->running > 0.5, s->flange3_torque_swings, 0.0);
+    centre_differential_swings(flange3_torque_swing, p->flange3_torque_oscillation_limit, s->flange3_torque_side,
+        s->flange3_torque_swings, s->forgotten_swings, &s->flange3_torque_side, &s->flange3_torque_swings);
+    const centre_differential_real cause_fault_flange3_torque_oscillation =
+        centre_differential_select(s->flange3_torque_swings - 5.5 > 0.0, 6008.0, 9999.0);
+    /* oscillation of M1_torque_ref */
+    const centre_differential_real M1_torque_ref_mean_before = centre_differential_select(s->running > 0.5,
+        s->M1_torque_ref_mean, 0.0);
+    const centre_differential_real M1_torque_ref_swing = M1_applied - M1_torque_ref_mean_before;
+    s->M1_torque_ref_mean = M1_torque_ref_mean_before + M1_torque_ref_swing * s->mean_share;
+    s->M1_torque_ref_swings = centre_differential_select(s->running > 0.5, s->M1_torque_ref_swings, 0.0);
+    centre_differential_swings(M1_torque_ref_swing, p->M1_torque_ref_oscillation_limit, s->M1_torque_ref_side,
+        s->M1_torque_ref_swings, s->forgotten_swings, &s->M1_torque_ref_side, &s->M1_torque_ref_swings);
+    const centre_differential_real cause_fault_M1_torque_ref_oscillation =
+        centre_differential_select(s->M1_torque_ref_swings - 5.5 > 0.0, 8001.0, 9999.0);
+    /* oscillation of M2_torque_ref */
+    const centre_differential_real M2_torque_ref_mean_before = centre_differential_select(s->running > 0.5,
+        s->M2_torque_ref_mean, 0.0);
+    const centre_differential_real M2_torque_ref_swing = M2_applied - M2_torque_ref_mean_before;
+    s->M2_torque_ref_mean = M2_torque_ref_mean_before + M2_torque_ref_swing * s->mean_share;
+    s->M2_torque_ref_swings = centre_differential_select(s->running > 0.5, s->M2_torque_ref_swings, 0.0);
+    centre_differential_swings(M2_torque_ref_swing, p->M2_torque_ref_oscillation_limit, s->M2_torque_ref_side,
+        s->M2_torque_ref_swings, s->forgotten_swings, &s->M2_torque_ref_side, &s->M2_torque_ref_swings);
+    const centre_differential_real cause_fault_M2_torque_ref_oscillation =
+        centre_differential_select(s->M2_torque_ref_swings - 5.5 > 0.0, 8002.0, 9999.0);
+    /* oscillation of M3_torque_ref */
+    const centre_differential_real M3_torque_ref_mean_before = centre_differential_select(s->running > 0.5,
+        s->M3_torque_ref_mean, 0.0);
+    const centre_differential_real M3_torque_ref_swing = M3_applied - M3_torque_ref_mean_before;
+    s->M3_torque_ref_mean = M3_torque_ref_mean_before + M3_torque_ref_swing * s->mean_share;
+    s->M3_torque_ref_swings = centre_differential_select(s->running > 0.5, s->M3_torque_ref_swings, 0.0);
+    centre_differential_swings(M3_torque_ref_swing, p->M3_torque_ref_oscillation_limit, s->M3_torque_ref_side,
+        s->M3_torque_ref_swings, s->forgotten_swings, &s->M3_torque_ref_side, &s->M3_torque_ref_swings);
+    const centre_differential_real cause_fault_M3_torque_ref_oscillation =
+        centre_differential_select(s->M3_torque_ref_swings - 5.5 > 0.0, 8003.0, 9999.0);
+    /* the first fault is latched */
+    const centre_differential_real cause_of_watching =
+        centre_differential_min(centre_differential_min(centre_differential_min(centre_differential_min(cause_fault_M1_speed_disagreement,
+        cause_fault_M1_speed_frozen), centre_differential_min(cause_fault_M1_torque_ref_oscillation,
+        cause_fault_M2_speed_disagreement)),
+        centre_differential_min(centre_differential_min(cause_fault_M2_speed_frozen,
+        cause_fault_M2_torque_ref_oscillation), centre_differential_min(cause_fault_M3_speed_disagreement,
+        cause_fault_M3_speed_frozen))),
+        centre_differential_min(centre_differential_min(centre_differential_min(cause_fault_M3_torque_ref_oscillation,
+        cause_fault_flange1_torque_frozen), centre_differential_min(cause_fault_flange1_torque_oscillation,
+        cause_fault_flange2_torque_frozen)),
+        centre_differential_min(centre_differential_min(cause_fault_flange2_torque_oscillation,
+        cause_fault_flange3_torque_frozen), cause_fault_flange3_torque_oscillation)));
+    s->fault = centre_differential_select(s->fault > 0.5, s->fault, centre_differential_select(cause_of_watching >
+        9998.0, 0.0, cause_of_watching));
     /* limit of the rate */
-    const centre_differential_real M1_speed_ref_before = ((s->running > 0.5) ? s->M1_speed_ref_limited :
-        s->M1_speed_held);
+    const centre_differential_real M1_speed_ref_before = centre_differential_select(s->running > 0.5,
+        s->M1_speed_ref_limited, s->M1_speed_held);
     s->M1_speed_ref_limited = M1_speed_ref_before + centre_differential_max(-s->M1_speed_ref_step,
         centre_differential_min(s->M1_speed_ref_step, -M1_speed_ref_before + s->M1_speed_ref_held));
     const centre_differential_real M1_speed_error = -s->M1_speed_held + s->M1_speed_ref_limited;
@@ -423,8 +807,8 @@ centre_differential_controller_status centre_differential_controller_step(centre
     const centre_differential_real M1_given_away = M1_compensation * (load_compensation_before -
         s->load_compensation_now);
     /* PI speed control (5.84) */
-    const centre_differential_real M1_integral_before = ((p->M1_speed_integral_gain > 0.0) ? M1_given_away : 0.0) +
-        ((s->running > 0.5) ? s->M1_speed_integral : 0.0);
+    const centre_differential_real M1_integral_before = centre_differential_select(p->M1_speed_integral_gain > 0.0,
+        M1_given_away, 0.0) + centre_differential_select(s->running > 0.5, s->M1_speed_integral, 0.0);
     const centre_differential_real M1_asked = M1_integral_before + M1_speed_error * p->M1_speed_gain;
     const centre_differential_real M1_wanted = M1_asked + M1_compensation * s->load_compensation_now;
     /* torque-speed envelope */
@@ -440,48 +824,52 @@ centre_differential_controller_status centre_differential_controller_step(centre
     /* testing torque from the sensors (5.95), (5.96), (5.98) */
     const centre_differential_real flange2_torque_estimate = M1_net * s->M2_unread_M1 + s->flange2_torque_held;
     /* limit of the rate */
-    const centre_differential_real flange2_torque_ref_before = ((s->running > 0.5) ? s->flange2_torque_ref_limited :
-        flange2_torque_estimate);
+    const centre_differential_real flange2_torque_ref_before = centre_differential_select(s->running > 0.5,
+        s->flange2_torque_ref_limited, flange2_torque_estimate);
     s->flange2_torque_ref_limited = flange2_torque_ref_before + centre_differential_max(-s->flange2_torque_ref_step,
         centre_differential_min(s->flange2_torque_ref_step, -flange2_torque_ref_before +
         s->flange2_torque_ref_held));
     /* torque model (5.57), (5.76) */
-    const centre_differential_real M2_model_before = ((s->running > 0.5) ? s->M2_model_torque :
-        flange2_torque_estimate);
-    const centre_differential_real M2_rate_before = ((s->running > 0.5) ? s->M2_model_rate : 0.0);
+    const centre_differential_real M2_model_before = centre_differential_select(s->running > 0.5,
+        s->M2_model_torque, flange2_torque_estimate);
+    const centre_differential_real M2_rate_before = centre_differential_select(s->running > 0.5, s->M2_model_rate,
+        0.0);
     s->M2_model_rate = -s->M2_model_drag * M2_rate_before + s->M2_model_pull * (-M2_model_before +
         s->flange2_torque_ref_limited) + M2_rate_before;
     s->M2_model_torque = M2_model_before + s->M2_model_rate * p->sample_time;
     const centre_differential_real M2_torque_error = s->M2_model_torque * p->M2_torque_model -
         flange2_torque_estimate + s->flange2_torque_ref_limited * (1.0 - p->M2_torque_model);
     /* torque control (5.99) */
-    const centre_differential_real M2_integral_before = ((s->running > 0.5) ? s->M2_torque_integral : 0.0);
+    const centre_differential_real M2_integral_before = centre_differential_select(s->running > 0.5,
+        s->M2_torque_integral, 0.0);
     const centre_differential_real M2_virtual = p->M2_feedforward * s->flange2_torque_ref_limited +
         M2_integral_before + M2_torque_error * p->M2_torque_gain;
     /* testing torque from the sensors (5.95), (5.96), (5.98) */
     const centre_differential_real flange3_torque_estimate = M1_net * s->M3_unread_M1 + s->flange3_torque_held;
     /* limit of the rate */
-    const centre_differential_real flange3_torque_ref_before = ((s->running > 0.5) ? s->flange3_torque_ref_limited :
-        flange3_torque_estimate);
+    const centre_differential_real flange3_torque_ref_before = centre_differential_select(s->running > 0.5,
+        s->flange3_torque_ref_limited, flange3_torque_estimate);
     s->flange3_torque_ref_limited = flange3_torque_ref_before + centre_differential_max(-s->flange3_torque_ref_step,
         centre_differential_min(s->flange3_torque_ref_step, -flange3_torque_ref_before +
         s->flange3_torque_ref_held));
     /* torque model (5.57), (5.76) */
-    const centre_differential_real M3_model_before = ((s->running > 0.5) ? s->M3_model_torque :
-        flange3_torque_estimate);
-    const centre_differential_real M3_rate_before = ((s->running > 0.5) ? s->M3_model_rate : 0.0);
+    const centre_differential_real M3_model_before = centre_differential_select(s->running > 0.5,
+        s->M3_model_torque, flange3_torque_estimate);
+    const centre_differential_real M3_rate_before = centre_differential_select(s->running > 0.5, s->M3_model_rate,
+        0.0);
     s->M3_model_rate = -s->M3_model_drag * M3_rate_before + s->M3_model_pull * (-M3_model_before +
         s->flange3_torque_ref_limited) + M3_rate_before;
     s->M3_model_torque = M3_model_before + s->M3_model_rate * p->sample_time;
     const centre_differential_real M3_torque_error = s->M3_model_torque * p->M3_torque_model -
         flange3_torque_estimate + s->flange3_torque_ref_limited * (1.0 - p->M3_torque_model);
     /* torque control (5.99) */
-    const centre_differential_real M3_integral_before = ((s->running > 0.5) ? s->M3_torque_integral : 0.0);
+    const centre_differential_real M3_integral_before = centre_differential_select(s->running > 0.5,
+        s->M3_torque_integral, 0.0);
     const centre_differential_real M3_virtual = p->M3_feedforward * s->flange3_torque_ref_limited +
         M3_integral_before + M3_torque_error * p->M3_torque_gain;
     /* active damping (5.62), (5.78) */
-    const centre_differential_real M2_twist_rate_M2 = s->M1_speed_held * s->M2_twist_M1_speed - s->M2_speed_held +
-        s->M2_twist_M3_speed * s->M3_speed_held;
+    const centre_differential_real M2_twist_rate_M2 = s->M1_speed_held * s->M2_twist_M2_M1_speed - s->M2_speed_held
+        + s->M2_twist_M2_M3_speed * s->M3_speed_held;
     const centre_differential_real M2_damping_torque = s->M2_damping_now * M2_twist_rate_M2;
     /* with the acceleration torque (5.62), (5.78) */
     const centre_differential_real M2_wanted = -M2_virtual;
@@ -492,12 +880,13 @@ centre_differential_controller_status centre_differential_controller_step(centre
     const centre_differential_real M2_command = centre_differential_max(M2_least, centre_differential_min(M2_most,
         M2_damping_torque + M2_kept));
     /* limited integrator */
-    s->M2_torque_integral = ((M2_torque_error * (-M2_kept + M2_wanted) < 0.0) ? M2_integral_before :
-        centre_differential_max(-p->M2_torque_integral_limit, centre_differential_min(p->M2_torque_integral_limit,
-        M2_integral_before + M2_torque_error * s->M2_torque_growth)));
+    s->M2_torque_integral = centre_differential_select(M2_torque_error * (-M2_kept + M2_wanted) < 0.0,
+        M2_integral_before, centre_differential_max(-p->M2_torque_integral_limit,
+        centre_differential_min(p->M2_torque_integral_limit, M2_integral_before + M2_torque_error *
+        s->M2_torque_growth)));
     /* active damping (5.62), (5.78) */
-    const centre_differential_real M3_twist_rate_M3 = s->M1_speed_held * s->M3_twist_M1_speed + s->M2_speed_held *
-        s->M3_twist_M2_speed - s->M3_speed_held;
+    const centre_differential_real M3_twist_rate_M3 = s->M1_speed_held * s->M3_twist_M3_M1_speed + s->M2_speed_held
+        * s->M3_twist_M3_M2_speed - s->M3_speed_held;
     const centre_differential_real M3_damping_torque = s->M3_damping_now * M3_twist_rate_M3;
     /* with the acceleration torque (5.62), (5.78) */
     const centre_differential_real M3_wanted = -M3_virtual;
@@ -508,49 +897,60 @@ centre_differential_controller_status centre_differential_controller_step(centre
     const centre_differential_real M3_command = centre_differential_max(M3_least, centre_differential_min(M3_most,
         M3_damping_torque + M3_kept));
     /* limited integrator */
-    s->M3_torque_integral = ((M3_torque_error * (-M3_kept + M3_wanted) < 0.0) ? M3_integral_before :
-        centre_differential_max(-p->M3_torque_integral_limit, centre_differential_min(p->M3_torque_integral_limit,
-        M3_integral_before + M3_torque_error * s->M3_torque_growth)));
-    const centre_differential_real M1_largest = 1.01 * p->M1_torque_max;
+    s->M3_torque_integral = centre_differential_select(M3_torque_error * (-M3_kept + M3_wanted) < 0.0,
+        M3_integral_before, centre_differential_max(-p->M3_torque_integral_limit,
+        centre_differential_min(p->M3_torque_integral_limit, M3_integral_before + M3_torque_error *
+        s->M3_torque_growth)));
     /* only sound torques leave */
     centre_differential_real M1_released;
     centre_differential_real M1_released_sound;
-    centre_differential_guard(M1_command, M1_largest, s->M1_last, &M1_released, &M1_released_sound);
-    const centre_differential_real M2_largest = 1.01 * p->M2_torque_max;
+    centre_differential_guard(M1_command, s->M1_largest, s->M1_last, &M1_released, &M1_released_sound);
+    const centre_differential_real cause_fault_M1_torque_ref = centre_differential_select(M1_released_sound < 1.0,
+        7001.0, 9999.0);
     centre_differential_real M2_released;
     centre_differential_real M2_released_sound;
-    centre_differential_guard(M2_command, M2_largest, s->M2_last, &M2_released, &M2_released_sound);
-    const centre_differential_real M3_largest = 1.01 * p->M3_torque_max;
+    centre_differential_guard(M2_command, s->M2_largest, s->M2_last, &M2_released, &M2_released_sound);
+    const centre_differential_real cause_fault_M2_torque_ref = centre_differential_select(M2_released_sound < 1.0,
+        7002.0, 9999.0);
     centre_differential_real M3_released;
     centre_differential_real M3_released_sound;
-    centre_differential_guard(M3_command, M3_largest, s->M3_last, &M3_released, &M3_released_sound);
+    centre_differential_guard(M3_command, s->M3_largest, s->M3_last, &M3_released, &M3_released_sound);
+    const centre_differential_real cause_fault_M3_torque_ref = centre_differential_select(M3_released_sound < 1.0,
+        7003.0, 9999.0);
     /* the first fault is latched */
-    s->fault = ((M1_released_sound < 0.5 && s->fault < 0.5) ? 10.0 : s->fault);
-    s->fault = ((M2_released_sound < 0.5 && s->fault < 0.5) ? 11.0 : s->fault);
-    s->fault = ((M3_released_sound < 0.5 && s->fault < 0.5) ? 12.0 : s->fault);
-    /* ramp to zero torque */
-    s->authority = ((s->fault > 0.5) ? centre_differential_max(0.0, s->authority - p->sample_time / p->fault_ramp) :
-        s->authority);
-    s->M1_last = ((s->fault > 0.5) ? s->M1_last : M1_released);
-    out->M1_torque_ref = s->M1_last * s->authority;
-    s->M2_last = ((s->fault > 0.5) ? s->M2_last : M2_released);
-    out->M2_torque_ref = s->M2_last * s->authority;
-    s->M3_last = ((s->fault > 0.5) ? s->M3_last : M3_released);
-    out->M3_torque_ref = s->M3_last * s->authority;
-    /* start anew after a fault */
-    s->running = ((s->fault < 0.5) ? 1.0 : 0.0);
+    const centre_differential_real cause_of_commands =
+        centre_differential_min(centre_differential_min(cause_fault_M1_torque_ref, cause_fault_M2_torque_ref),
+        cause_fault_M3_torque_ref);
+    s->fault = centre_differential_select(s->fault > 0.5, s->fault, centre_differential_select(cause_of_commands >
+        9998.0, 0.0, cause_of_commands));
+    /* ramp of the torques */
+    const centre_differential_real authority_wanted = s->authority + centre_differential_select(s->fault > 0.5,
+        -s->ramp_step, s->ramp_step);
+    centre_differential_share(authority_wanted, &s->authority);
+    s->running = centre_differential_select(s->fault > 0.5, 0.0, 1.0);
+    s->M1_last = centre_differential_select(s->fault > 0.5, s->M1_last, M1_released);
+    out->M1_torque_ref = centre_differential_max(-930.0, centre_differential_min(930.0, s->M1_last * s->authority));
+    s->M2_last = centre_differential_select(s->fault > 0.5, s->M2_last, M2_released);
+    out->M2_torque_ref = centre_differential_max(-1200.0, centre_differential_min(1200.0, s->M2_last *
+        s->authority));
+    s->M3_last = centre_differential_select(s->fault > 0.5, s->M3_last, M3_released);
+    out->M3_torque_ref = centre_differential_max(-1200.0, centre_differential_min(1200.0, s->M3_last *
+        s->authority));
     /* The last line of defence, should parameters have been changed without an update. */
     if (!centre_differential_is_finite(out->M1_torque_ref)) {
         out->M1_torque_ref = 0.0;
         s->fault = s->fault > 0.0 ? s->fault : CENTRE_DIFFERENTIAL_REAL(centre_differential_controller_fault_M1_torque_ref);
+        s->running = 0.0;
     }
     if (!centre_differential_is_finite(out->M2_torque_ref)) {
         out->M2_torque_ref = 0.0;
         s->fault = s->fault > 0.0 ? s->fault : CENTRE_DIFFERENTIAL_REAL(centre_differential_controller_fault_M2_torque_ref);
+        s->running = 0.0;
     }
     if (!centre_differential_is_finite(out->M3_torque_ref)) {
         out->M3_torque_ref = 0.0;
         s->fault = s->fault > 0.0 ? s->fault : CENTRE_DIFFERENTIAL_REAL(centre_differential_controller_fault_M3_torque_ref);
+        s->running = 0.0;
     }
     return (centre_differential_controller_status)s->fault;
 }

@@ -13,6 +13,7 @@
 typedef struct {
     centre_differential_real sample_time; /* step of the controller (s) */
     centre_differential_real fault_ramp; /* time from a fault to zero torque (s) */
+    centre_differential_real hold_time; /* bad samples are bridged for that long, and no longer (s) */
     centre_differential_real flange2_torque_ref_plausible; /* largest plausible flange2_torque_ref (N m) */
     centre_differential_real flange3_torque_ref_plausible; /* largest plausible flange3_torque_ref (N m) */
     centre_differential_real M1_speed_ref_plausible; /* largest plausible M1_speed_ref (rad/s) */
@@ -22,6 +23,9 @@ typedef struct {
     centre_differential_real M2_speed_plausible; /* largest plausible M2_speed (rad/s) */
     centre_differential_real flange3_torque_plausible; /* largest plausible flange3_torque (N m) */
     centre_differential_real M3_speed_plausible; /* largest plausible M3_speed (rad/s) */
+    centre_differential_real M1_overspeed; /* speed of M1 that is a fault (rad/s) */
+    centre_differential_real M2_overspeed; /* speed of M2 that is a fault (rad/s) */
+    centre_differential_real M3_overspeed; /* speed of M3 that is a fault (rad/s) */
     centre_differential_real load_compensation; /* switch of the load torque compensation, 0 to 1 */
     centre_differential_real acceleration_torque; /* switch of the acceleration torque, 0 to 1 */
     centre_differential_real switch_time; /* time in which a switch or a damping follows its parameter (s) */
@@ -39,11 +43,28 @@ typedef struct {
     centre_differential_real M3_speed_max; /* largest admissible speed (rad/s) */
     centre_differential_real M3_speed_taper; /* speed above M3_speed_max over which accelerating torque is taken back (rad/s) */
     centre_differential_real M3_torque_max; /* largest air-gap torque up to the rated speed (N m) */
+    centre_differential_real disagreement_leak; /* rate at which the integrated speeds forget (1/s) */
+    centre_differential_real M1_inertia; /* moment of inertia of the rotor (kg m^2) */
+    centre_differential_real M1_disagreement_limit; /* largest difference between measured and integrated speed of M1 (rad/s) */
+    centre_differential_real M1_frozen_limit; /* the same while a signal of M1 stays the same to the last bit (rad/s) */
+    centre_differential_real frozen_time; /* for how long a frozen signal stays the same (s) */
+    centre_differential_real M2_inertia; /* moment of inertia of the rotor (kg m^2) */
+    centre_differential_real M2_disagreement_limit; /* largest difference between measured and integrated speed of M2 (rad/s) */
+    centre_differential_real M2_frozen_limit; /* the same while a signal of M2 stays the same to the last bit (rad/s) */
+    centre_differential_real M3_inertia; /* moment of inertia of the rotor (kg m^2) */
+    centre_differential_real M3_disagreement_limit; /* largest difference between measured and integrated speed of M3 (rad/s) */
+    centre_differential_real M3_frozen_limit; /* the same while a signal of M3 stays the same to the last bit (rad/s) */
+    centre_differential_real oscillation_frequency; /* slowest oscillation of a torque that is watched (Hz) */
+    centre_differential_real flange1_torque_oscillation_limit; /* amplitude with which flange1_torque may oscillate (N m) */
+    centre_differential_real flange2_torque_oscillation_limit; /* amplitude with which flange2_torque may oscillate (N m) */
+    centre_differential_real flange3_torque_oscillation_limit; /* amplitude with which flange3_torque may oscillate (N m) */
+    centre_differential_real M1_torque_ref_oscillation_limit; /* amplitude with which M1_torque_ref may oscillate (N m) */
+    centre_differential_real M2_torque_ref_oscillation_limit; /* amplitude with which M2_torque_ref may oscillate (N m) */
+    centre_differential_real M3_torque_ref_oscillation_limit; /* amplitude with which M3_torque_ref may oscillate (N m) */
     centre_differential_real M1_speed_ref_rate; /* largest rate of M1_speed_ref (rad/s^2) */
     centre_differential_real M1_speed_gain; /* proportional gain of the speed of M1 (N m s/rad) */
     centre_differential_real M1_speed_integral_gain; /* integral gain of the speed of M1 (N m/rad) */
     centre_differential_real M2_sensor_inertia_M1; /* torque of M2 that its sensors miss, per acceleration of M1 (kg m^2) */
-    centre_differential_real M1_inertia; /* moment of inertia of the rotor (kg m^2) */
     centre_differential_real M2_inertia_estimate; /* inertia that M2 accelerates (5.78) (kg m^2) */
     centre_differential_real M2_feedforward; /* share of the torque reference fed forward to M2 */
     centre_differential_real M2_torque_gain; /* proportional gain of the torque control of M2, above -1 (5.115a) */
@@ -82,6 +103,7 @@ typedef struct {
     centre_differential_real M2_speed; /* measured (rad/s) */
     centre_differential_real flange3_torque; /* measured (N m) */
     centre_differential_real M3_speed; /* measured (rad/s) */
+    centre_differential_real reset; /* 0 or 1; its rising edge takes back a fault whose cause is gone */
 } centre_differential_controller_inputs;
 
 /* Outputs of a step; torques are positive when they drive the right-hand neighbour. */
@@ -93,20 +115,36 @@ typedef struct {
 
 /* States first, then what follows from the parameters. Matrices are stored by columns. */
 typedef struct {
-    centre_differential_real fault; /* 0, or the number of the input that failed */
+    centre_differential_real fault; /* 0, or the status of the first fault */
+    centre_differential_real authority; /* share of the torques that is released; goes along the ramp */
+    centre_differential_real running; /* 1 if the last step ran without a fault, 0 before and after */
+    centre_differential_real refused; /* 1 while the parameters of the last update are refused */
     centre_differential_real flange2_torque_ref_held; /* last sound value of flange2_torque_ref (N m) */
+    centre_differential_real flange2_torque_ref_bad_time; /* for how long flange2_torque_ref was bad (s) */
     centre_differential_real flange3_torque_ref_held; /* last sound value of flange3_torque_ref (N m) */
+    centre_differential_real flange3_torque_ref_bad_time; /* for how long flange3_torque_ref was bad (s) */
     centre_differential_real M1_speed_ref_held; /* last sound value of M1_speed_ref (rad/s) */
+    centre_differential_real M1_speed_ref_bad_time; /* for how long M1_speed_ref was bad (s) */
     centre_differential_real M1_speed_held; /* last sound value of M1_speed (rad/s) */
+    centre_differential_real M1_speed_bad_time; /* for how long M1_speed was bad (s) */
     centre_differential_real flange1_torque_held; /* last sound value of flange1_torque (N m) */
+    centre_differential_real flange1_torque_bad_time; /* for how long flange1_torque was bad (s) */
     centre_differential_real flange2_torque_held; /* last sound value of flange2_torque (N m) */
+    centre_differential_real flange2_torque_bad_time; /* for how long flange2_torque was bad (s) */
     centre_differential_real M2_speed_held; /* last sound value of M2_speed (rad/s) */
+    centre_differential_real M2_speed_bad_time; /* for how long M2_speed was bad (s) */
     centre_differential_real flange3_torque_held; /* last sound value of flange3_torque (N m) */
+    centre_differential_real flange3_torque_bad_time; /* for how long flange3_torque was bad (s) */
     centre_differential_real M3_speed_held; /* last sound value of M3_speed (rad/s) */
+    centre_differential_real M3_speed_bad_time; /* for how long M3_speed was bad (s) */
+    centre_differential_real M1_overspeed_time; /* for how long M1 was too fast (s) */
+    centre_differential_real M2_overspeed_time; /* for how long M2 was too fast (s) */
+    centre_differential_real M3_overspeed_time; /* for how long M3 was too fast (s) */
+    centre_differential_real reset_before; /* reset in the step before */
+    centre_differential_real reset_request; /* 1 while a reset waits for zero torque */
     centre_differential_real load_compensation_now; /* load_compensation on its way to the parameter */
     centre_differential_real load_compensation_target; /* load_compensation as the last step found it */
     centre_differential_real load_compensation_step; /* how far load_compensation moves in a step */
-    centre_differential_real running; /* 1 once a step was done without a fault */
     centre_differential_real acceleration_torque_now; /* acceleration_torque on its way to the parameter */
     centre_differential_real acceleration_torque_target; /* acceleration_torque as the last step found it */
     centre_differential_real acceleration_torque_step; /* how far acceleration_torque moves in a step */
@@ -116,6 +154,45 @@ typedef struct {
     centre_differential_real M3_damping_now; /* M3_damping on its way to the parameter (N m s/rad) */
     centre_differential_real M3_damping_target; /* M3_damping as the last step found it (N m s/rad) */
     centre_differential_real M3_damping_step; /* how far M3_damping moves in a step (N m s/rad) */
+    centre_differential_real M1_integrated; /* speed of M1 from the torques (rad/s) */
+    centre_differential_real M1_disagreement_time; /* for how long the speed of M1 disagreed (s) */
+    centre_differential_real M1_speed_before; /* M1_speed in the step before (rad/s) */
+    centre_differential_real M1_speed_still_time; /* for how long M1_speed has been the same (s) */
+    centre_differential_real flange1_torque_before; /* flange1_torque in the step before (N m) */
+    centre_differential_real flange1_torque_still_time; /* for how long flange1_torque has been the same (s) */
+    centre_differential_real flange1_torque_command; /* command to M1 when flange1_torque last changed (N m) */
+    centre_differential_real M2_integrated; /* speed of M2 from the torques (rad/s) */
+    centre_differential_real M2_disagreement_time; /* for how long the speed of M2 disagreed (s) */
+    centre_differential_real M2_speed_before; /* M2_speed in the step before (rad/s) */
+    centre_differential_real M2_speed_still_time; /* for how long M2_speed has been the same (s) */
+    centre_differential_real flange2_torque_before; /* flange2_torque in the step before (N m) */
+    centre_differential_real flange2_torque_still_time; /* for how long flange2_torque has been the same (s) */
+    centre_differential_real flange2_torque_command; /* command to M2 when flange2_torque last changed (N m) */
+    centre_differential_real M3_integrated; /* speed of M3 from the torques (rad/s) */
+    centre_differential_real M3_disagreement_time; /* for how long the speed of M3 disagreed (s) */
+    centre_differential_real M3_speed_before; /* M3_speed in the step before (rad/s) */
+    centre_differential_real M3_speed_still_time; /* for how long M3_speed has been the same (s) */
+    centre_differential_real flange3_torque_before; /* flange3_torque in the step before (N m) */
+    centre_differential_real flange3_torque_still_time; /* for how long flange3_torque has been the same (s) */
+    centre_differential_real flange3_torque_command; /* command to M3 when flange3_torque last changed (N m) */
+    centre_differential_real flange1_torque_mean; /* flange1_torque without its oscillation (N m) */
+    centre_differential_real flange1_torque_side; /* side on which flange1_torque last was beyond the limit */
+    centre_differential_real flange1_torque_swings; /* half swings of flange1_torque, forgotten in time */
+    centre_differential_real flange2_torque_mean; /* flange2_torque without its oscillation (N m) */
+    centre_differential_real flange2_torque_side; /* side on which flange2_torque last was beyond the limit */
+    centre_differential_real flange2_torque_swings; /* half swings of flange2_torque, forgotten in time */
+    centre_differential_real flange3_torque_mean; /* flange3_torque without its oscillation (N m) */
+    centre_differential_real flange3_torque_side; /* side on which flange3_torque last was beyond the limit */
+    centre_differential_real flange3_torque_swings; /* half swings of flange3_torque, forgotten in time */
+    centre_differential_real M1_torque_ref_mean; /* M1_torque_ref without its oscillation (N m) */
+    centre_differential_real M1_torque_ref_side; /* side on which M1_torque_ref last was beyond the limit */
+    centre_differential_real M1_torque_ref_swings; /* half swings of M1_torque_ref, forgotten in time */
+    centre_differential_real M2_torque_ref_mean; /* M2_torque_ref without its oscillation (N m) */
+    centre_differential_real M2_torque_ref_side; /* side on which M2_torque_ref last was beyond the limit */
+    centre_differential_real M2_torque_ref_swings; /* half swings of M2_torque_ref, forgotten in time */
+    centre_differential_real M3_torque_ref_mean; /* M3_torque_ref without its oscillation (N m) */
+    centre_differential_real M3_torque_ref_side; /* side on which M3_torque_ref last was beyond the limit */
+    centre_differential_real M3_torque_ref_swings; /* half swings of M3_torque_ref, forgotten in time */
     centre_differential_real M1_speed_ref_limited; /* M1_speed_ref behind its rate limiter (rad/s) */
     centre_differential_real M1_speed_integral; /* integrator of the speed control of M1 (N m) */
     centre_differential_real flange2_torque_ref_limited; /* flange2_torque_ref behind its rate limiter (N m) */
@@ -129,7 +206,6 @@ typedef struct {
     centre_differential_real M1_last; /* last torque of M1 before a fault (N m) */
     centre_differential_real M2_last; /* last torque of M2 before a fault (N m) */
     centre_differential_real M3_last; /* last torque of M3 before a fault (N m) */
-    centre_differential_real authority; /* 1, going to 0 along the ramp after a fault */
     centre_differential_real switch_share; /* share of a change per step */
     centre_differential_real M1_taper_slope; /* share of the torque of M1 per excess of speed (s/rad) */
     centre_differential_real M1_taper_end; /* share at standstill if it were not limited */
@@ -137,6 +213,16 @@ typedef struct {
     centre_differential_real M2_taper_end; /* share at standstill if it were not limited */
     centre_differential_real M3_taper_slope; /* share of the torque of M3 per excess of speed (s/rad) */
     centre_differential_real M3_taper_end; /* share at standstill if it were not limited */
+    centre_differential_real disagreement_share; /* share of the difference that is forgotten per step */
+    centre_differential_real M1_per_step; /* change of speed of M1 per torque in a step (rad/s/(N m)) */
+    centre_differential_real M2_per_step; /* change of speed of M2 per torque in a step (rad/s/(N m)) */
+    centre_differential_real M2_balance_share; /* share of the torque of M2 on its rotor */
+    centre_differential_real M2_balance_flange2_torque; /* coefficient of flange2_torque */
+    centre_differential_real M3_per_step; /* change of speed of M3 per torque in a step (rad/s/(N m)) */
+    centre_differential_real M3_balance_share; /* share of the torque of M3 on its rotor */
+    centre_differential_real M3_balance_flange3_torque; /* coefficient of flange3_torque */
+    centre_differential_real forgotten_swings; /* half swings that are forgotten per step */
+    centre_differential_real mean_share; /* share of a step in the mean of a torque */
     centre_differential_real M1_speed_ref_step; /* largest change of M1_speed_ref in a step (rad/s) */
     centre_differential_real M1_speed_growth; /* growth of the integrator per error (N m s/rad) */
     centre_differential_real M1_speed_conditioning; /* growth per torque cut off */
@@ -148,86 +234,129 @@ typedef struct {
     centre_differential_real flange3_torque_ref_step; /* largest change of flange3_torque_ref in a step (N m) */
     centre_differential_real M3_model_pull; /* rate of the torque model per missing torque (1/s) */
     centre_differential_real M3_model_drag; /* decay of that rate in a step */
-    centre_differential_real M2_twist_M1_speed; /* coefficient of M1_speed */
-    centre_differential_real M2_twist_M3_speed; /* coefficient of M3_speed */
+    centre_differential_real M2_twist_M2_M1_speed; /* coefficient of M1_speed */
+    centre_differential_real M2_twist_M2_M3_speed; /* coefficient of M3_speed */
     centre_differential_real M2_torque_growth; /* growth of the integrator per error */
-    centre_differential_real M3_twist_M1_speed; /* coefficient of M1_speed */
-    centre_differential_real M3_twist_M2_speed; /* coefficient of M2_speed */
+    centre_differential_real M3_twist_M3_M1_speed; /* coefficient of M1_speed */
+    centre_differential_real M3_twist_M3_M2_speed; /* coefficient of M2_speed */
     centre_differential_real M3_torque_growth; /* growth of the integrator per error */
+    centre_differential_real M1_largest; /* torque of M1 that is a fault (N m) */
+    centre_differential_real M2_largest; /* torque of M2 that is a fault (N m) */
+    centre_differential_real M3_largest; /* torque of M3 that is a fault (N m) */
+    centre_differential_real ramp_step; /* change of the released share per step */
 } centre_differential_controller_state;
 
 typedef enum {
     centre_differential_controller_ok = 0,
-    centre_differential_controller_fault_flange2_torque_ref = 1, /* flange2_torque_ref was not finite or not plausible */
-    centre_differential_controller_fault_flange3_torque_ref = 2, /* flange3_torque_ref was not finite or not plausible */
-    centre_differential_controller_fault_M1_speed_ref = 3, /* M1_speed_ref was not finite or not plausible */
-    centre_differential_controller_fault_M1_speed = 4, /* M1_speed was not finite or not plausible */
-    centre_differential_controller_fault_flange1_torque = 5, /* flange1_torque was not finite or not plausible */
-    centre_differential_controller_fault_flange2_torque = 6, /* flange2_torque was not finite or not plausible */
-    centre_differential_controller_fault_M2_speed = 7, /* M2_speed was not finite or not plausible */
-    centre_differential_controller_fault_flange3_torque = 8, /* flange3_torque was not finite or not plausible */
-    centre_differential_controller_fault_M3_speed = 9, /* M3_speed was not finite or not plausible */
-    centre_differential_controller_fault_M1_torque_ref = 10, /* M1_torque_ref was not finite or not plausible */
-    centre_differential_controller_fault_M2_torque_ref = 11, /* M2_torque_ref was not finite or not plausible */
-    centre_differential_controller_fault_M3_torque_ref = 12, /* M3_torque_ref was not finite or not plausible */
+    centre_differential_controller_fault_flange2_torque_ref = 1, /* flange2_torque_ref: not finite or not plausible */
+    centre_differential_controller_fault_flange3_torque_ref = 2, /* flange3_torque_ref: not finite or not plausible */
+    centre_differential_controller_fault_M1_speed_ref = 3, /* M1_speed_ref: not finite or not plausible */
+    centre_differential_controller_fault_M1_speed = 4, /* M1_speed: not finite or not plausible */
+    centre_differential_controller_fault_flange1_torque = 5, /* flange1_torque: not finite or not plausible */
+    centre_differential_controller_fault_flange2_torque = 6, /* flange2_torque: not finite or not plausible */
+    centre_differential_controller_fault_M2_speed = 7, /* M2_speed: not finite or not plausible */
+    centre_differential_controller_fault_flange3_torque = 8, /* flange3_torque: not finite or not plausible */
+    centre_differential_controller_fault_M3_speed = 9, /* M3_speed: not finite or not plausible */
+    centre_differential_controller_fault_M1_speed_overspeed = 4004, /* M1_speed: overspeed */
+    centre_differential_controller_fault_M2_speed_overspeed = 4007, /* M2_speed: overspeed */
+    centre_differential_controller_fault_M3_speed_overspeed = 4009, /* M3_speed: overspeed */
+    centre_differential_controller_fault_M1_speed_frozen = 3004, /* M1_speed: frozen while the torques accelerate the machine */
+    centre_differential_controller_fault_M1_speed_disagreement = 5004, /* M1_speed: disagrees with the integrated torque */
+    centre_differential_controller_fault_flange1_torque_frozen = 3005, /* flange1_torque: frozen while the torque of the machine changes */
+    centre_differential_controller_fault_M2_speed_frozen = 3007, /* M2_speed: frozen while the torques accelerate the machine */
+    centre_differential_controller_fault_M2_speed_disagreement = 5007, /* M2_speed: disagrees with the integrated torque */
+    centre_differential_controller_fault_flange2_torque_frozen = 3006, /* flange2_torque: frozen while the torque of the machine changes */
+    centre_differential_controller_fault_M3_speed_frozen = 3009, /* M3_speed: frozen while the torques accelerate the machine */
+    centre_differential_controller_fault_M3_speed_disagreement = 5009, /* M3_speed: disagrees with the integrated torque */
+    centre_differential_controller_fault_flange3_torque_frozen = 3008, /* flange3_torque: frozen while the torque of the machine changes */
+    centre_differential_controller_fault_flange1_torque_oscillation = 6005, /* flange1_torque: oscillates beyond its limit */
+    centre_differential_controller_fault_flange2_torque_oscillation = 6006, /* flange2_torque: oscillates beyond its limit */
+    centre_differential_controller_fault_flange3_torque_oscillation = 6008, /* flange3_torque: oscillates beyond its limit */
+    centre_differential_controller_fault_M1_torque_ref_oscillation = 8001, /* M1_torque_ref: the command oscillates */
+    centre_differential_controller_fault_M2_torque_ref_oscillation = 8002, /* M2_torque_ref: the command oscillates */
+    centre_differential_controller_fault_M3_torque_ref_oscillation = 8003, /* M3_torque_ref: the command oscillates */
+    centre_differential_controller_fault_M1_torque_ref = 7001, /* M1_torque_ref: the command is not finite, or beyond the torque of the machine */
+    centre_differential_controller_fault_M2_torque_ref = 7002, /* M2_torque_ref: the command is not finite, or beyond the torque of the machine */
+    centre_differential_controller_fault_M3_torque_ref = 7003, /* M3_torque_ref: the command is not finite, or beyond the torque of the machine */
     centre_differential_controller_bad_sample_time = 2000, /* outside its range */
     centre_differential_controller_bad_fault_ramp = 2001, /* outside its range */
-    centre_differential_controller_bad_flange2_torque_ref_plausible = 2002, /* outside its range */
-    centre_differential_controller_bad_flange3_torque_ref_plausible = 2003, /* outside its range */
-    centre_differential_controller_bad_M1_speed_ref_plausible = 2004, /* outside its range */
-    centre_differential_controller_bad_M1_speed_plausible = 2005, /* outside its range */
-    centre_differential_controller_bad_flange1_torque_plausible = 2006, /* outside its range */
-    centre_differential_controller_bad_flange2_torque_plausible = 2007, /* outside its range */
-    centre_differential_controller_bad_M2_speed_plausible = 2008, /* outside its range */
-    centre_differential_controller_bad_flange3_torque_plausible = 2009, /* outside its range */
-    centre_differential_controller_bad_M3_speed_plausible = 2010, /* outside its range */
-    centre_differential_controller_bad_load_compensation = 2011, /* outside its range */
-    centre_differential_controller_bad_acceleration_torque = 2012, /* outside its range */
-    centre_differential_controller_bad_switch_time = 2013, /* outside its range */
-    centre_differential_controller_bad_M2_damping = 2014, /* outside its range */
-    centre_differential_controller_bad_M3_damping = 2015, /* outside its range */
-    centre_differential_controller_bad_M1_speed_rated = 2016, /* outside its range */
-    centre_differential_controller_bad_M1_speed_max = 2017, /* outside its range */
-    centre_differential_controller_bad_M1_speed_taper = 2018, /* outside its range */
-    centre_differential_controller_bad_M1_torque_max = 2019, /* outside its range */
-    centre_differential_controller_bad_M2_speed_rated = 2020, /* outside its range */
-    centre_differential_controller_bad_M2_speed_max = 2021, /* outside its range */
-    centre_differential_controller_bad_M2_speed_taper = 2022, /* outside its range */
-    centre_differential_controller_bad_M2_torque_max = 2023, /* outside its range */
-    centre_differential_controller_bad_M3_speed_rated = 2024, /* outside its range */
-    centre_differential_controller_bad_M3_speed_max = 2025, /* outside its range */
-    centre_differential_controller_bad_M3_speed_taper = 2026, /* outside its range */
-    centre_differential_controller_bad_M3_torque_max = 2027, /* outside its range */
-    centre_differential_controller_bad_M1_speed_ref_rate = 2028, /* outside its range */
-    centre_differential_controller_bad_M1_speed_gain = 2029, /* outside its range */
-    centre_differential_controller_bad_M1_speed_integral_gain = 2030, /* outside its range */
-    centre_differential_controller_bad_M2_sensor_inertia_M1 = 2031, /* outside its range */
-    centre_differential_controller_bad_M1_inertia = 2032, /* outside its range */
-    centre_differential_controller_bad_M2_inertia_estimate = 2033, /* outside its range */
-    centre_differential_controller_bad_M2_feedforward = 2034, /* outside its range */
-    centre_differential_controller_bad_M2_torque_gain = 2035, /* outside its range */
-    centre_differential_controller_bad_flange2_torque_ref_rate = 2036, /* outside its range */
-    centre_differential_controller_bad_M2_model_stiffness = 2037, /* outside its range */
-    centre_differential_controller_bad_M2_model_damping = 2038, /* outside its range */
-    centre_differential_controller_bad_M2_torque_model = 2039, /* outside its range */
-    centre_differential_controller_bad_M3_sensor_inertia_M1 = 2040, /* outside its range */
-    centre_differential_controller_bad_M3_inertia_estimate = 2041, /* outside its range */
-    centre_differential_controller_bad_M3_feedforward = 2042, /* outside its range */
-    centre_differential_controller_bad_M3_torque_gain = 2043, /* outside its range */
-    centre_differential_controller_bad_flange3_torque_ref_rate = 2044, /* outside its range */
-    centre_differential_controller_bad_M3_model_stiffness = 2045, /* outside its range */
-    centre_differential_controller_bad_M3_model_damping = 2046, /* outside its range */
-    centre_differential_controller_bad_M3_torque_model = 2047, /* outside its range */
-    centre_differential_controller_bad_cardan2_flange2_equivalent_stiffness = 2048, /* outside its range */
-    centre_differential_controller_bad_flange1_cardan1_cardan2_flange2_equivalent_stiffness = 2049, /* outside its range */
-    centre_differential_controller_bad_diff_ratio = 2050, /* outside its range */
-    centre_differential_controller_bad_M2_torque_integral_gain = 2051, /* outside its range */
-    centre_differential_controller_bad_M2_damping_reserve = 2052, /* outside its range */
-    centre_differential_controller_bad_M2_torque_integral_limit = 2053, /* outside its range */
-    centre_differential_controller_bad_flange1_cardan1_equivalent_stiffness = 2054, /* outside its range */
-    centre_differential_controller_bad_M3_torque_integral_gain = 2055, /* outside its range */
-    centre_differential_controller_bad_M3_damping_reserve = 2056, /* outside its range */
-    centre_differential_controller_bad_M3_torque_integral_limit = 2057, /* outside its range */
+    centre_differential_controller_bad_hold_time = 2002, /* outside its range */
+    centre_differential_controller_bad_flange2_torque_ref_plausible = 2003, /* outside its range */
+    centre_differential_controller_bad_flange3_torque_ref_plausible = 2004, /* outside its range */
+    centre_differential_controller_bad_M1_speed_ref_plausible = 2005, /* outside its range */
+    centre_differential_controller_bad_M1_speed_plausible = 2006, /* outside its range */
+    centre_differential_controller_bad_flange1_torque_plausible = 2007, /* outside its range */
+    centre_differential_controller_bad_flange2_torque_plausible = 2008, /* outside its range */
+    centre_differential_controller_bad_M2_speed_plausible = 2009, /* outside its range */
+    centre_differential_controller_bad_flange3_torque_plausible = 2010, /* outside its range */
+    centre_differential_controller_bad_M3_speed_plausible = 2011, /* outside its range */
+    centre_differential_controller_bad_M1_overspeed = 2012, /* outside its range */
+    centre_differential_controller_bad_M2_overspeed = 2013, /* outside its range */
+    centre_differential_controller_bad_M3_overspeed = 2014, /* outside its range */
+    centre_differential_controller_bad_load_compensation = 2015, /* outside its range */
+    centre_differential_controller_bad_acceleration_torque = 2016, /* outside its range */
+    centre_differential_controller_bad_switch_time = 2017, /* outside its range */
+    centre_differential_controller_bad_M2_damping = 2018, /* outside its range */
+    centre_differential_controller_bad_M3_damping = 2019, /* outside its range */
+    centre_differential_controller_bad_M1_speed_rated = 2020, /* outside its range */
+    centre_differential_controller_bad_M1_speed_max = 2021, /* outside its range */
+    centre_differential_controller_bad_M1_speed_taper = 2022, /* outside its range */
+    centre_differential_controller_bad_M1_torque_max = 2023, /* outside its range */
+    centre_differential_controller_bad_M2_speed_rated = 2024, /* outside its range */
+    centre_differential_controller_bad_M2_speed_max = 2025, /* outside its range */
+    centre_differential_controller_bad_M2_speed_taper = 2026, /* outside its range */
+    centre_differential_controller_bad_M2_torque_max = 2027, /* outside its range */
+    centre_differential_controller_bad_M3_speed_rated = 2028, /* outside its range */
+    centre_differential_controller_bad_M3_speed_max = 2029, /* outside its range */
+    centre_differential_controller_bad_M3_speed_taper = 2030, /* outside its range */
+    centre_differential_controller_bad_M3_torque_max = 2031, /* outside its range */
+    centre_differential_controller_bad_disagreement_leak = 2032, /* outside its range */
+    centre_differential_controller_bad_M1_inertia = 2033, /* outside its range */
+    centre_differential_controller_bad_M1_disagreement_limit = 2034, /* outside its range */
+    centre_differential_controller_bad_M1_frozen_limit = 2035, /* outside its range */
+    centre_differential_controller_bad_frozen_time = 2036, /* outside its range */
+    centre_differential_controller_bad_M2_inertia = 2037, /* outside its range */
+    centre_differential_controller_bad_M2_disagreement_limit = 2038, /* outside its range */
+    centre_differential_controller_bad_M2_frozen_limit = 2039, /* outside its range */
+    centre_differential_controller_bad_M3_inertia = 2040, /* outside its range */
+    centre_differential_controller_bad_M3_disagreement_limit = 2041, /* outside its range */
+    centre_differential_controller_bad_M3_frozen_limit = 2042, /* outside its range */
+    centre_differential_controller_bad_oscillation_frequency = 2043, /* outside its range */
+    centre_differential_controller_bad_flange1_torque_oscillation_limit = 2044, /* outside its range */
+    centre_differential_controller_bad_flange2_torque_oscillation_limit = 2045, /* outside its range */
+    centre_differential_controller_bad_flange3_torque_oscillation_limit = 2046, /* outside its range */
+    centre_differential_controller_bad_M1_torque_ref_oscillation_limit = 2047, /* outside its range */
+    centre_differential_controller_bad_M2_torque_ref_oscillation_limit = 2048, /* outside its range */
+    centre_differential_controller_bad_M3_torque_ref_oscillation_limit = 2049, /* outside its range */
+    centre_differential_controller_bad_M1_speed_ref_rate = 2050, /* outside its range */
+    centre_differential_controller_bad_M1_speed_gain = 2051, /* outside its range */
+    centre_differential_controller_bad_M1_speed_integral_gain = 2052, /* outside its range */
+    centre_differential_controller_bad_M2_sensor_inertia_M1 = 2053, /* outside its range */
+    centre_differential_controller_bad_M2_inertia_estimate = 2054, /* outside its range */
+    centre_differential_controller_bad_M2_feedforward = 2055, /* outside its range */
+    centre_differential_controller_bad_M2_torque_gain = 2056, /* outside its range */
+    centre_differential_controller_bad_flange2_torque_ref_rate = 2057, /* outside its range */
+    centre_differential_controller_bad_M2_model_stiffness = 2058, /* outside its range */
+    centre_differential_controller_bad_M2_model_damping = 2059, /* outside its range */
+    centre_differential_controller_bad_M2_torque_model = 2060, /* outside its range */
+    centre_differential_controller_bad_M3_sensor_inertia_M1 = 2061, /* outside its range */
+    centre_differential_controller_bad_M3_inertia_estimate = 2062, /* outside its range */
+    centre_differential_controller_bad_M3_feedforward = 2063, /* outside its range */
+    centre_differential_controller_bad_M3_torque_gain = 2064, /* outside its range */
+    centre_differential_controller_bad_flange3_torque_ref_rate = 2065, /* outside its range */
+    centre_differential_controller_bad_M3_model_stiffness = 2066, /* outside its range */
+    centre_differential_controller_bad_M3_model_damping = 2067, /* outside its range */
+    centre_differential_controller_bad_M3_torque_model = 2068, /* outside its range */
+    centre_differential_controller_bad_cardan2_flange2_equivalent_stiffness = 2069, /* outside its range */
+    centre_differential_controller_bad_flange1_cardan1_cardan2_flange2_equivalent_stiffness = 2070, /* outside its range */
+    centre_differential_controller_bad_diff_ratio = 2071, /* outside its range */
+    centre_differential_controller_bad_M2_torque_integral_gain = 2072, /* outside its range */
+    centre_differential_controller_bad_M2_damping_reserve = 2073, /* outside its range */
+    centre_differential_controller_bad_M2_torque_integral_limit = 2074, /* outside its range */
+    centre_differential_controller_bad_flange1_cardan1_equivalent_stiffness = 2075, /* outside its range */
+    centre_differential_controller_bad_M3_torque_integral_gain = 2076, /* outside its range */
+    centre_differential_controller_bad_M3_damping_reserve = 2077, /* outside its range */
+    centre_differential_controller_bad_M3_torque_integral_limit = 2078, /* outside its range */
 } centre_differential_controller_status;
 
 extern const centre_differential_controller_params centre_differential_controller_defaults;

@@ -481,19 +481,19 @@ centre_differential_plant_status centre_differential_plant_step(centre_different
     /* x+ = x_free + Gamma_f T */
     centre_differential_add_product(17, 4, s->x, x_free, &s->gamma[0][0], mean_torque);
     /* exactly zero while it sticks */
-    s->x[0] = ((p->standstill_speed > centre_differential_abs(w_plus[0])) ? 0.0 : w_plus[0]);
-    s->x[1] = ((p->standstill_speed > centre_differential_abs(w_plus[1])) ? 0.0 : w_plus[1]);
+    s->x[0] = centre_differential_select(p->standstill_speed > centre_differential_abs(w_plus[0]), 0.0, w_plus[0]);
+    s->x[1] = centre_differential_select(p->standstill_speed > centre_differential_abs(w_plus[1]), 0.0, w_plus[1]);
     const centre_differential_real cardan2_twist = s->x[10] / p->diff_ratio;
     /* (3.5) */
     s->contact_torque[0] = p->cardan2_stiffness * (cardan2_twist - centre_differential_max(-s->half_gap[0],
-        centre_differential_min(cardan2_twist, s->half_gap[0]))) + ((s->half_gap[0] <
-        centre_differential_abs(cardan2_twist)) ? p->cardan2_damping * (p->diff_pinion_ratio * s->x[1] - s->x[6] +
-        s->x[0] / p->diff_ratio) : 0.0);
+        centre_differential_min(cardan2_twist, s->half_gap[0]))) + centre_differential_select(s->half_gap[0] <
+        centre_differential_abs(cardan2_twist), p->cardan2_damping * (p->diff_pinion_ratio * s->x[1] - s->x[6] +
+        s->x[0] / p->diff_ratio), 0.0);
     const centre_differential_real cardan3_twist = s->x[12] / p->diff_ratio;
     s->contact_torque[1] = p->cardan3_stiffness * (cardan3_twist - centre_differential_max(-s->half_gap[1],
-        centre_differential_min(cardan3_twist, s->half_gap[1]))) + ((s->half_gap[1] <
-        centre_differential_abs(cardan3_twist)) ? p->cardan3_damping * (-p->diff_pinion_ratio * s->x[1] - s->x[7] +
-        s->x[0] / p->diff_ratio) : 0.0);
+        centre_differential_min(cardan3_twist, s->half_gap[1]))) + centre_differential_select(s->half_gap[1] <
+        centre_differential_abs(cardan3_twist), p->cardan3_damping * (-p->diff_pinion_ratio * s->x[1] - s->x[7] +
+        s->x[0] / p->diff_ratio), 0.0);
     centre_differential_plant_measure(s, p, out);
     if (s->friction_status == CENTRE_DIFFERENTIAL_REAL(-1)) {
         return centre_differential_plant_friction_unsolved;

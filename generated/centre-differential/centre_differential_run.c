@@ -46,6 +46,7 @@ int centre_differential_run_init(centre_differential_run *run)
 {
     run->step = 0;
     memset(&run->driven, 0, sizeof run->driven);
+    memset(&run->inputs, 0, sizeof run->inputs);
     for (int k = 0; k < centre_differential_profile_count; ++k) {
         run->cursor[k] = 0;
     }

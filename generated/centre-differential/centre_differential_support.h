@@ -18,7 +18,12 @@ typedef double centre_differential_real;
 
 static inline centre_differential_real centre_differential_min(centre_differential_real a, centre_differential_real b) { return a < b ? a : b; }
 static inline centre_differential_real centre_differential_max(centre_differential_real a, centre_differential_real b) { return a > b ? a : b; }
-static inline centre_differential_real centre_differential_abs(centre_differential_real a) { return a < 0.0 ? -a : a; }
+static inline centre_differential_real centre_differential_abs(centre_differential_real a) { return centre_differential_max(-a, a); }
+/* Both are computed before, so that a step takes nearly the same time whichever is chosen. */
+static inline centre_differential_real centre_differential_select(int condition, centre_differential_real a, centre_differential_real b)
+{
+    return condition ? a : b;
+}
 static inline centre_differential_real centre_differential_sign(centre_differential_real a)
 {
     return a > 0.0 ? 1.0 : (a < 0.0 ? -1.0 : 0.0);
@@ -138,8 +143,44 @@ static inline void centre_differential_guard(centre_differential_real value, cen
     centre_differential_real *sound)
 {
     const int good = centre_differential_abs(value) <= bound; /* false for NaN */
-    *held = good ? value : before;
-    *sound = good ? 1.0 : 0.0;
+    *held = centre_differential_select(good, value, before);
+    *sound = (centre_differential_real)good;
+}
+
+/* For how long a signal was not sound: a sound step takes back a bad one. `late` is 1 if that is longer than allowed. */
+static inline void centre_differential_lasting(centre_differential_real sound, centre_differential_real time, centre_differential_real step, centre_differential_real allowed,
+    centre_differential_real *after, centre_differential_real *late)
+{
+    const centre_differential_real longer = time + step;
+    const centre_differential_real left = centre_differential_min(time, allowed) - step;
+    const int good = sound > 0.5;
+    const int over = !(longer <= allowed + 0.5 * step); /* 1 for NaN */
+    *after = centre_differential_select(good, centre_differential_max(left, 0.0), longer);
+    *late = (centre_differential_real)(over & !good);
+}
+
+/* For how long `value` has been the same to the last bit. */
+static inline void centre_differential_still(centre_differential_real value, centre_differential_real before, centre_differential_real time, centre_differential_real step,
+    centre_differential_real *after)
+{
+    *after = centre_differential_select(centre_differential_abs(value - before) <= 0.0, time + step, 0.0);
+}
+
+/* The side on which `value` last was beyond `limit` (-1, 0, 1), and the count of changes, less `decay`. */
+static inline void centre_differential_swings(centre_differential_real value, centre_differential_real limit, centre_differential_real side, centre_differential_real count,
+    centre_differential_real decay, centre_differential_real *after, centre_differential_real *swings)
+{
+    const centre_differential_real above = centre_differential_select(value > limit, 1.0, side);
+    const centre_differential_real now = centre_differential_select(value < -limit, -1.0, above);
+    const int changed = centre_differential_abs(now - side) > 0.0;
+    *after = now;
+    *swings = centre_differential_max(count - decay, 0.0) + (centre_differential_real)changed;
+}
+
+/* `value` limited to 0 to 1; 0 for NaN. */
+static inline void centre_differential_share(centre_differential_real value, centre_differential_real *limited)
+{
+    *limited = centre_differential_min(centre_differential_max(value, 0.0), 1.0);
 }
 
 /*
