@@ -10,6 +10,7 @@ import sympy as sp
 from analysis.proof_beds import all_symbols, five_machines
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
+from mechanism.bed_text import differential_bed
 
 from ptgen.analysis.characteristic import Factor, characteristic_factors
 from ptgen.analysis.continuous_proof import Setting, Verdict, continuous_proof, equivalent_observer, prove
@@ -222,3 +223,34 @@ def test_observer_rejects_disturbances_exactly_as_a_pi_controller_with_real_pole
 def test_observer_has_no_complex_poles() -> None:
     with pytest.raises(ValueError, match="no observer has complex"):
         equivalent_observer(10.0, 100.0, 5.0)
+
+
+def test_individual_torque_loops_on_one_twist_leave_an_integrator() -> None:
+    """Both outputs of an open differential carry the same torque; nothing controls what their integrators differ by."""
+    bed = differential_bed()
+    bed.torque, bed.speed = {"M2": "flange2", "M3": "flange3"}, ["M1"]
+    bed.control = {"structure": "individual"}
+    project = Project(bed.load())
+    first = continuous_proof(project.design, project.reduced).settings[0]
+    assert (first.name, first.verdict) == ("individual", Verdict.NEUTRAL)
+    shared = [p for p in first.factors if p.factor.loops == ("torque loop of M2", "torque loop of M3")]
+    assert {p.factor.degree: p.verdict for p in shared} == {1: Verdict.NEUTRAL, 3: Verdict.STABLE}
+    assert next(p for p in shared if p.factor.degree == 1).factor.coefficients == (1, 0)
+
+
+def test_super_twisting_is_a_pi_controller_for_small_errors() -> None:
+    bed = differential_bed()
+    bed.torque, bed.speed = {"M1": "diff.input"}, ["M2", "M3"]
+    bed.control = {"speed_control": {"M2": "super_twisting", "M3": "observer"}}
+    project = Project(bed.load())
+    proof = continuous_proof(project.design, project.reduced)
+    kinds = {loop.machine: loop.kind for loop in proof.loop.loops}
+    assert kinds == {"M1": LoopKind.TORQUE, "M2": LoopKind.SPEED_TWISTING, "M3": LoopKind.SPEED_OBSERVER}
+    gains, values = project.design.gains.super_twisting["M2"], proof.settings[0].values
+    by_name = {symbol.name: value for symbol, value in values.items()}
+    error = 1e-6 * gains.layer
+    law = gains.k1 * error / np.sqrt(error + gains.layer)
+    assert by_name["M2_small_error_gain"] * error == pytest.approx(law, rel=1e-5)
+    assert by_name["M2_small_error_integral_gain"] == pytest.approx(gains.k2 / gains.layer)
+    assert by_name["M3_observer_bandwidth"] == project.design.gains.observer_bandwidth["M3"]
+    assert proof.settings[0].verdict is Verdict.STABLE
