@@ -6,6 +6,7 @@
 >>> [mode.frequency_hz for mode in model.modes()]           # doctest: +SKIP
 >>> design = model.reduce().decouple()                      # doctest: +SKIP
 >>> controller, plant = design.blocks()                     # doctest: +SKIP
+>>> ptgen.analyse(design).margins                           # doctest: +SKIP
 >>> ptgen.emit(design, "build/differential")                # doctest: +SKIP
 >>> recording = ptgen.simulate(design, "scenarios/differential-run.toml")  # doctest: +SKIP
 """
@@ -25,12 +26,14 @@ from ptgen.mechanism.model import Model
 from ptgen.mechanism.modes import Mode, modes
 from ptgen.mechanism.reduction import ReducedModel
 from ptgen.project import Project
+from ptgen.report.loop_analysis import LoopAnalysis
+from ptgen.report.loop_analysis import analyse as analyse_loop
 from ptgen.simulate.recording import Recording
 from ptgen.simulate.run import ControllerName
 from ptgen.simulate.run import simulate as run_scenario
 from ptgen.testbed import Roles, Testbed, load_scenario
 
-__all__ = ["AssembledBed", "Bed", "DesignedBed", "ReducedBed", "emit", "load", "simulate"]
+__all__ = ["AssembledBed", "Bed", "DesignedBed", "ReducedBed", "analyse", "emit", "load", "simulate"]
 
 
 @dataclass(frozen=True)
@@ -117,6 +120,16 @@ def load(path: str | Path) -> Bed:
         With all problems of the file.
     """
     return Bed(Project.read(path))
+
+
+def analyse(
+    bed: Bed | DesignedBed,
+    locked: Collection[str] = (),
+    controller: ControllerName = "decoupling",
+    parameters: Mapping[str, float] | None = None,
+) -> LoopAnalysis:
+    """Analyse the sampled closed loop of a bed; see `ptgen.report.loop_analysis.analyse`."""
+    return analyse_loop(bed.project, locked=locked, controller=controller, parameters=parameters)
 
 
 def emit(bed: Bed | DesignedBed, directory: str | Path, precision: Precision = "double") -> list[Path]:

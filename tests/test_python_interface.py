@@ -18,6 +18,7 @@ def test_from_file_to_recording(root: Path, tmp_path: Path) -> None:
     design = model.reduce().decouple()
     controller, plant = design.blocks()
     assert {controller.name, plant.name} == {"controller", "plant"}
+    assert ptgen.analyse(design).is_stable
     assert tmp_path / "back_to_back_plant.c" in ptgen.emit(design, tmp_path)
     recording = ptgen.simulate(design, root / "scenarios" / "back-to-back-steps.toml")
     assert recording.realtime_factor > 1

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -124,8 +124,10 @@ class NearModes:
         )
 
 
-def phase_budget(parameters: Mapping[str, float], machine: str, frequency_hz: float) -> PhaseBudget:
-    """Return the phase that holding a torque over a step and the inverter take.
+def phase_budget(
+    parameters: Mapping[str, float], machine: str, frequency_hz: float, filters: Sequence[str] = ()
+) -> PhaseBudget:
+    """Return the phase that holding a torque over a step, computation, the inverter and sensor filters take.
 
     Parameters
     ----------
@@ -133,14 +135,20 @@ def phase_budget(parameters: Mapping[str, float], machine: str, frequency_hz: fl
         Parameters of plant and controller, by name.
     machine : str
     frequency_hz : float
+    filters : sequence of str
+        Parameters that are time constants of the filters of sensors that the machine's law reads; the slowest counts.
     """
+    slowest = max((parameters.get(name, 0.0) for name in filters), default=0.0)
     omega = 2 * np.pi * frequency_hz
     degrees = {
         "sampling": np.degrees(omega * parameters["sample_time"] / 2),
+        "computation": np.degrees(omega * parameters.get("computation_delay", 0.0)),
         "dead time": np.degrees(omega * parameters.get(f"{machine}_inverter_dead_time", 0.0)),
         "inverter lag": np.degrees(np.arctan(omega * parameters.get(f"{machine}_inverter_time_constant", 0.0))),
     }
-    return PhaseBudget(frequency_hz, {name: float(value) for name, value in degrees.items()})
+    degrees["sensor filters"] = np.degrees(np.arctan(omega * slowest))
+    present = {name: float(value) for name, value in degrees.items() if value > 0}
+    return PhaseBudget(frequency_hz, present)
 
 
 def _normalised(shares: Mapping[str, float]) -> dict[str, float]:

@@ -177,11 +177,17 @@ class LoopFamily:
             for machine in self.machines
         }
         self._has_dead_time = {s.name for s in plant.parameters}
+        self._computation = next((s.value for s in plant.parameters if s.name == "computation_delay"), 0.0)
         self.names = tuple(dict.fromkeys(s.name for block in (controller, plant) for s in block.parameters))
 
     def dead_time(self, machine: str, parameters: Mapping[str, float] | None = None) -> float:
         """Return the dead time (s) of a machine's inverter."""
         return (parameters or {}).get(f"{machine}_inverter_dead_time", self._dead_times[machine])
+
+    def delay(self, machine: str, parameters: Mapping[str, float] | None = None) -> float:
+        """Return the time (s) that computation and dead time of a machine take together."""
+        computation = (parameters or {}).get("computation_delay", self._computation)
+        return computation + self.dead_time(machine, parameters)
 
     def loop(
         self, parameters: Mapping[str, float] | None = None, delays: Mapping[str, float] | None = None

@@ -218,7 +218,7 @@ def _earlier(
     grows beyond whole steps, and may become unstable there without having swung before.
     """
     h = family.sample_time
-    base = family.dead_time(machines[0], parameters)
+    base = family.delay(machines[0], parameters)
     if not _jumps(family, parameters, machines):
         return best
     last = min(best[0] / h, _STEPS_CHECKED)
@@ -238,7 +238,7 @@ def _earlier(
 def _jumps(family: LoopFamily, parameters: Mapping[str, float] | None, machines: tuple[str, ...]) -> bool:
     """Tell whether the loop changes at once where a delay grows beyond whole steps."""
     h = family.sample_time
-    whole = h - family.dead_time(machines[0], parameters) % h
+    whole = h - family.delay(machines[0], parameters) % h
     z = np.exp(1j * np.linspace(0.1, 3.0, 7))
     before, after = (
         [

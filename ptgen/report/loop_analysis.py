@@ -9,6 +9,7 @@ import numpy as np
 
 from ptgen.analysis.algebraic_loop import AlgebraicLoop, algebraic_loop
 from ptgen.analysis.closed_loop import Pole, poles_of
+from ptgen.analysis.continuous_proof import Setting, continuous_proof
 from ptgen.analysis.coupling import Coupling, ReferencedLoop, continuous_coupling, referenced_loop, sampled_coupling
 from ptgen.analysis.disk_margin import DiskMargin, disk_margin
 from ptgen.analysis.frequency import FrequencyResponse, frequency_grid, others_closed
@@ -145,6 +146,8 @@ class LoopAnalysis:
         The loop from references, for figures.
     chosen : mapping
         All parameters that differ from the defaults of the blocks.
+    continuous : Setting or None
+        The proof for the reduced bed without sampling and delays; None if parameters were set, which it does not know.
     """
 
     name: str
@@ -167,6 +170,7 @@ class LoopAnalysis:
     family: LoopFamily
     referenced: ReferencedLoop
     chosen: Mapping[str, float]
+    continuous: Setting | None
 
     @property
     def is_stable(self) -> bool:
@@ -253,7 +257,7 @@ def analyse(
                 controls=roles.get(found.machine, "speed"),
                 critical_hz=critical,
                 mode=modes.near(critical),
-                budget=phase_budget(table, found.machine, critical),
+                budget=phase_budget(table, found.machine, critical, _filters(project, full, found.machine)),
             )
         )
     weak = [k for k, pole in enumerate(poles) if pole.is_unstable or (pole.damping_ratio < 0.1 and pole.s.imag > 0)]
@@ -281,6 +285,7 @@ def analyse(
         family=family,
         referenced=referenced,
         chosen=chosen,
+        continuous=None if given else _continuous(project, controller),
     )
 
 
@@ -334,6 +339,12 @@ def loop_family(project: Project, full: Model) -> LoopFamily:
     return LoopFamily(project.controller, plant_block(with_dead_times(full), project.testbed.sample_time))
 
 
+def _continuous(project: Project, controller: ControllerName) -> Setting:
+    settings = continuous_proof(project.design, project.reduced).settings
+    named = [setting for setting in settings if setting.name == controller]
+    return named[0] if named else settings[0]  # positions of the switches that make no difference are left out
+
+
 def _full_model(project: Project, locked: tuple[str, ...]) -> Model:
     if not locked:
         return project.model
@@ -344,6 +355,20 @@ def _full_model(project: Project, locked: tuple[str, ...]) -> Model:
 def _table(project: Project, family: LoopFamily, chosen: Mapping[str, float]) -> dict[str, float]:
     blocks = (family.plant, project.controller)
     return {**{s.name: s.value for block in blocks for s in block.parameters}, **chosen}
+
+
+def _filters(project: Project, full: Model, machine: str) -> list[str]:
+    """Return the time constants of the filters of the sensors that the law of a machine, and its own control, read."""
+    decoupling = project.design.decoupling
+    row = decoupling.law.R[decoupling.machines.index(machine), :]
+    own = next(iter(next(torque.row for torque in full.inputs if torque.name == machine)))
+    read = {name for name, share in zip(decoupling.sensors, row, strict=True) if share != 0}
+    return [
+        symbol.name
+        for sensor in full.sensors
+        if sensor.time_constant is not None and (sensor.name in read or sensor.of == own)
+        for symbol in sensor.time_constant.free_symbols
+    ]
 
 
 def _margins(family: LoopFamily, parameters: Mapping[str, float]) -> Margins:
@@ -429,7 +454,12 @@ def _causes(
     reduced = {symbol.name: decoupling.values[symbol] for symbol in decoupling.inertia_estimate}
     reduced |= {name: 0.0 for name in values if "_sensor_inertia_" in name}
 
-    def of(model: Model, dead_time: bool, lag: bool, parameters: Mapping[str, float]) -> Coupling:
+    sensing = any(sensor.time_constant is not None for sensor in full.sensors)
+    sensing = sensing or any(torque.drive.computation_delay is not None for torque in full.inputs)
+
+    def of(
+        model: Model, dead_time: bool, lag: bool, parameters: Mapping[str, float], sensors: bool = False
+    ) -> Coupling:
         inputs = tuple(
             replace(
                 torque,
@@ -437,11 +467,13 @@ def _causes(
                     torque.drive,
                     dead_time=torque.drive.dead_time if dead_time else None,
                     time_constant=torque.drive.time_constant if lag else None,
+                    computation_delay=torque.drive.computation_delay if sensors else None,
                 ),
             )
             for torque in model.inputs
         )
-        plant = Linearisation(plant_block(replace(model, inputs=inputs), h))
+        plain = tuple(sensor if sensors else replace(sensor, time_constant=None) for sensor in model.sensors)
+        plant = Linearisation(plant_block(replace(model, inputs=inputs, sensors=plain), h))
         return sampled_coupling(referenced_loop(controller, plant, followed, parameters), HORIZON)
 
     small = {**law, **reduced}
@@ -450,6 +482,11 @@ def _causes(
         Cause("sampling", "emitted controller, reduced bed", of(reduced_model, False, False, small)),
         Cause("dead_time", "and dead time of the inverters", of(reduced_model, True, False, small)),
         Cause("lag", "and lag of the inverters", of(reduced_model, True, True, small)),
+        *(
+            [Cause("sensors", "and sensor filters and computation", of(reduced_model, True, True, small, True))]
+            if sensing
+            else []
+        ),
         Cause("neglected", "emitted controller, full bed with ideal inverters", of(full, False, False, law)),
     ]
     own = sampled_coupling(everything, HORIZON)
@@ -458,6 +495,8 @@ def _causes(
         return tuple(causes)
     causes.append(Cause("everything", "emitted controller, full bed", own))
     causes.append(
-        Cause("conventional", "conventional controller, full bed", of(full, True, True, {**chosen, **conventional}))
+        Cause(
+            "conventional", "conventional controller, full bed", of(full, True, True, {**chosen, **conventional}, True)
+        )
     )
     return tuple(causes)

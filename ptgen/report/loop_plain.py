@@ -25,6 +25,7 @@ def loop_json(found: LoopAnalysis) -> dict[str, Any]:
         "sample_time": found.sample_time,
         "stable": found.is_stable,
         "verdict": list(verdict(found)),
+        "continuous": None if found.continuous is None else found.continuous.verdict.name.lower(),
         "loops": [_loop(loop) for loop in found.loops],
         "margins": _margins(found.margins),
         "disk_mode": _mode(found.disk_mode),

@@ -118,7 +118,7 @@ def _poles(found: LoopAnalysis) -> Table:
 
 
 def _mode_name(mode: NearMode) -> str:
-    held = f", {' and '.join(mode.held)} held" if mode.held else ""
+    held = f", {', '.join(mode.held)} held" if mode.held else ""
     return f"{mode.frequency_hz:.4g} Hz{held}"
 
 

@@ -88,7 +88,7 @@ def mode_text(mode: NearMode | None, frequency_hz: float) -> str:
         return "there are no elastic modes"
     named = f"mode {mode.number}"
     if mode.held:
-        named = f"the mode of the bed with {' and '.join(mode.held)} held, as load compensation holds rotors,"
+        named = f"the mode of the bed with {', '.join(mode.held)} held, as load compensation holds rotors,"
     told = f"{named} at {mode.frequency_hz:.4g} Hz ({shares_text(mode)})"
     return told if mode.distance(frequency_hz) <= _NEAR else f"no mode is near; the nearest is {told}"
 
@@ -109,8 +109,8 @@ def percent_of(share: float) -> str:
 def verdict(found: LoopAnalysis) -> tuple[str, ...]:
     """Return the verdict as sentences."""
     if not found.is_stable:
-        return _unstable(found)
-    sentences = [_stable(found)]
+        return (*_unstable(found), *_continuous(found))
+    sentences = [_stable(found), *_continuous(found)]
     margins, weakest = found.margins, found.weakest
     if margins is not None:
         disk = margins.disk
@@ -132,6 +132,13 @@ def verdict(found: LoopAnalysis) -> tuple[str, ...]:
         sentences.append(_weakest(weakest))
     sentences.append(_advice(found))
     return tuple(sentences)
+
+
+def _continuous(found: LoopAnalysis) -> list[str]:
+    if found.continuous is None:
+        return []
+    verdict = found.continuous.verdict.value
+    return [f"Without sampling and delays, on the reduced bed, the design is {verdict} (proof: ptgen derive)."]
 
 
 def _stable(found: LoopAnalysis) -> str:

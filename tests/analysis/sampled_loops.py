@@ -23,7 +23,7 @@ class MatrixFamily:
         self.machines = tuple(f"M{k + 1}" for k in range(self.B.shape[1]))
         self._dead_time = dead_time
 
-    def dead_time(self, machine: str, parameters: Mapping[str, float] | None = None) -> float:
+    def delay(self, machine: str, parameters: Mapping[str, float] | None = None) -> float:
         return self._dead_time
 
     def loop(self, parameters=None, delays=None):
