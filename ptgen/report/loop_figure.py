@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 __all__ = ["loop_figure"]
 
-_RAYS = (0.05, 0.1, 0.2, 0.4, 0.7)
+_RAYS = (0.1, 0.2, 0.4, 0.7)
 _RPM = 60 / (2 * np.pi)
 _WIDTH = 3.7
 
@@ -46,7 +46,7 @@ def loop_figure(found: LoopAnalysis) -> Figure:
             upper.set_ylabel("loop gain", fontsize=8)
             lower.set_ylabel("phase (deg)", fontsize=8)
     _poles(figure.add_subplot(grid[0:2, columns - 1]), found)
-    time, responses = found.referenced.steps(_horizon(found), rows=2000)
+    time, responses = found.referenced.steps(_horizon(found), rows=900)
     for j, reference in enumerate(found.referenced.references):
         own = figure.add_subplot(grid[2, j])
         cross = figure.add_subplot(grid[3, j], sharex=own)
@@ -69,7 +69,9 @@ def _bode(
     telling = [*result.margins.crossovers_hz, result.critical_hz] if result is not None else [frequency[-1] / 1000]
     low = max(frequency[0], 0.05 * min(telling))
     upper.loglog(frequency, size, color=BLUE, lw=1.3)
-    lower.semilogx(frequency, (phase + 180) % 360 - 180, color=BLUE, lw=0, marker=".", ms=1.6)
+    wrapped = (phase + 180) % 360 - 180
+    wrapped[1:][abs(np.diff(wrapped)) > 180] = np.nan  # no line from one edge to the other
+    lower.semilogx(frequency, wrapped, color=BLUE, lw=1.3)
     upper.axhline(1.0, color=GREY, lw=0.8)
     for level in (-180, 0, 180):
         lower.axhline(level, color=GREY if level else LIGHT, lw=0.8, ls="-")
