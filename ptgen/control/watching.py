@@ -169,7 +169,8 @@ def _still(w: ControllerWriter, sensor: str, value: sp.Symbol, h: sp.Symbol) -> 
     """Return for how long a signal has been the same to the last bit."""
     before = w.state(f"{sensor}_before", w.inputs[sensor].unit, f"{sensor} in the step before", monitor=True)
     time = w.state(f"{sensor}_still_time", "s", f"for how long {sensor} has been the same", monitor=True)
-    w.call("still", (time.name,), (value, before, time, h), f"{sensor} to the last bit")
+    w.assign(time.name, w.previous(time, sp.Integer(0)), f"{sensor} to the last bit")
+    w.call("still", (time.name,), (value, before, time, h))
     w.assign(before.name, value, f"{sensor} to the last bit")
     return time
 
