@@ -831,6 +831,7 @@ all_wheel_drive_controller_status all_wheel_drive_controller_step(all_wheel_driv
     all_wheel_drive_lasting(M1_agrees, s->M1_disagreement_time, p->sample_time, p->hold_time,
         &s->M1_disagreement_time, &M1_disagrees);
     /* M1_speed to the last bit */
+    s->M1_speed_still_time = all_wheel_drive_select(s->running > 0.5, s->M1_speed_still_time, 0.0);
     all_wheel_drive_still(s->M1_speed_held, s->M1_speed_before, s->M1_speed_still_time, p->sample_time,
         &s->M1_speed_still_time);
     s->M1_speed_before = s->M1_speed_held;
@@ -840,6 +841,7 @@ all_wheel_drive_controller_status all_wheel_drive_controller_step(all_wheel_driv
     const all_wheel_drive_real cause_fault_M1_speed_disagreement = all_wheel_drive_select(M1_disagrees > 0.0,
         5006.0, 9999.0);
     /* flange1_torque to the last bit */
+    s->flange1_torque_still_time = all_wheel_drive_select(s->running > 0.5, s->flange1_torque_still_time, 0.0);
     all_wheel_drive_still(s->flange1_torque_held, s->flange1_torque_before, s->flange1_torque_still_time,
         p->sample_time, &s->flange1_torque_still_time);
     s->flange1_torque_before = s->flange1_torque_held;
@@ -862,6 +864,7 @@ all_wheel_drive_controller_status all_wheel_drive_controller_step(all_wheel_driv
     all_wheel_drive_lasting(M2_agrees, s->M2_disagreement_time, p->sample_time, p->hold_time,
         &s->M2_disagreement_time, &M2_disagrees);
     /* M2_speed to the last bit */
+    s->M2_speed_still_time = all_wheel_drive_select(s->running > 0.5, s->M2_speed_still_time, 0.0);
     all_wheel_drive_still(s->M2_speed_held, s->M2_speed_before, s->M2_speed_still_time, p->sample_time,
         &s->M2_speed_still_time);
     s->M2_speed_before = s->M2_speed_held;
@@ -871,6 +874,7 @@ all_wheel_drive_controller_status all_wheel_drive_controller_step(all_wheel_driv
     const all_wheel_drive_real cause_fault_M2_speed_disagreement = all_wheel_drive_select(M2_disagrees > 0.0,
         5009.0, 9999.0);
     /* flange2_torque to the last bit */
+    s->flange2_torque_still_time = all_wheel_drive_select(s->running > 0.5, s->flange2_torque_still_time, 0.0);
     all_wheel_drive_still(s->flange2_torque_held, s->flange2_torque_before, s->flange2_torque_still_time,
         p->sample_time, &s->flange2_torque_still_time);
     s->flange2_torque_before = s->flange2_torque_held;
@@ -893,6 +897,7 @@ all_wheel_drive_controller_status all_wheel_drive_controller_step(all_wheel_driv
     all_wheel_drive_lasting(M3_agrees, s->M3_disagreement_time, p->sample_time, p->hold_time,
         &s->M3_disagreement_time, &M3_disagrees);
     /* M3_speed to the last bit */
+    s->M3_speed_still_time = all_wheel_drive_select(s->running > 0.5, s->M3_speed_still_time, 0.0);
     all_wheel_drive_still(s->M3_speed_held, s->M3_speed_before, s->M3_speed_still_time, p->sample_time,
         &s->M3_speed_still_time);
     s->M3_speed_before = s->M3_speed_held;
@@ -902,6 +907,7 @@ all_wheel_drive_controller_status all_wheel_drive_controller_step(all_wheel_driv
     const all_wheel_drive_real cause_fault_M3_speed_disagreement = all_wheel_drive_select(M3_disagrees > 0.0,
         5011.0, 9999.0);
     /* flange3_torque to the last bit */
+    s->flange3_torque_still_time = all_wheel_drive_select(s->running > 0.5, s->flange3_torque_still_time, 0.0);
     all_wheel_drive_still(s->flange3_torque_held, s->flange3_torque_before, s->flange3_torque_still_time,
         p->sample_time, &s->flange3_torque_still_time);
     s->flange3_torque_before = s->flange3_torque_held;
@@ -924,6 +930,7 @@ all_wheel_drive_controller_status all_wheel_drive_controller_step(all_wheel_driv
     all_wheel_drive_lasting(M4_agrees, s->M4_disagreement_time, p->sample_time, p->hold_time,
         &s->M4_disagreement_time, &M4_disagrees);
     /* M4_speed to the last bit */
+    s->M4_speed_still_time = all_wheel_drive_select(s->running > 0.5, s->M4_speed_still_time, 0.0);
     all_wheel_drive_still(s->M4_speed_held, s->M4_speed_before, s->M4_speed_still_time, p->sample_time,
         &s->M4_speed_still_time);
     s->M4_speed_before = s->M4_speed_held;
@@ -933,6 +940,7 @@ all_wheel_drive_controller_status all_wheel_drive_controller_step(all_wheel_driv
     const all_wheel_drive_real cause_fault_M4_speed_disagreement = all_wheel_drive_select(M4_disagrees > 0.0,
         5013.0, 9999.0);
     /* flange4_torque to the last bit */
+    s->flange4_torque_still_time = all_wheel_drive_select(s->running > 0.5, s->flange4_torque_still_time, 0.0);
     all_wheel_drive_still(s->flange4_torque_held, s->flange4_torque_before, s->flange4_torque_still_time,
         p->sample_time, &s->flange4_torque_still_time);
     s->flange4_torque_before = s->flange4_torque_held;
@@ -955,6 +963,7 @@ all_wheel_drive_controller_status all_wheel_drive_controller_step(all_wheel_driv
     all_wheel_drive_lasting(M5_agrees, s->M5_disagreement_time, p->sample_time, p->hold_time,
         &s->M5_disagreement_time, &M5_disagrees);
     /* M5_speed to the last bit */
+    s->M5_speed_still_time = all_wheel_drive_select(s->running > 0.5, s->M5_speed_still_time, 0.0);
     all_wheel_drive_still(s->M5_speed_held, s->M5_speed_before, s->M5_speed_still_time, p->sample_time,
         &s->M5_speed_still_time);
     s->M5_speed_before = s->M5_speed_held;
@@ -964,6 +973,7 @@ all_wheel_drive_controller_status all_wheel_drive_controller_step(all_wheel_driv
     const all_wheel_drive_real cause_fault_M5_speed_disagreement = all_wheel_drive_select(M5_disagrees > 0.0,
         5015.0, 9999.0);
     /* flange5_torque to the last bit */
+    s->flange5_torque_still_time = all_wheel_drive_select(s->running > 0.5, s->flange5_torque_still_time, 0.0);
     all_wheel_drive_still(s->flange5_torque_held, s->flange5_torque_before, s->flange5_torque_still_time,
         p->sample_time, &s->flange5_torque_still_time);
     s->flange5_torque_before = s->flange5_torque_held;

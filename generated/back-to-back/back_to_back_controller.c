@@ -438,6 +438,7 @@ back_to_back_controller_status back_to_back_controller_step(back_to_back_control
     back_to_back_lasting(M1_agrees, s->M1_disagreement_time, p->sample_time, p->hold_time, &s->M1_disagreement_time,
         &M1_disagrees);
     /* M1_speed to the last bit */
+    s->M1_speed_still_time = back_to_back_select(s->running > 0.5, s->M1_speed_still_time, 0.0);
     back_to_back_still(s->M1_speed_held, s->M1_speed_before, s->M1_speed_still_time, p->sample_time,
         &s->M1_speed_still_time);
     s->M1_speed_before = s->M1_speed_held;
@@ -446,6 +447,7 @@ back_to_back_controller_status back_to_back_controller_step(back_to_back_control
     const back_to_back_real cause_fault_M1_speed_disagreement = back_to_back_select(M1_disagrees > 0.0, 5003.0,
         9999.0);
     /* flange1_torque to the last bit */
+    s->flange1_torque_still_time = back_to_back_select(s->running > 0.5, s->flange1_torque_still_time, 0.0);
     back_to_back_still(s->flange1_torque_held, s->flange1_torque_before, s->flange1_torque_still_time,
         p->sample_time, &s->flange1_torque_still_time);
     s->flange1_torque_before = s->flange1_torque_held;
@@ -467,6 +469,7 @@ back_to_back_controller_status back_to_back_controller_step(back_to_back_control
     back_to_back_lasting(M2_agrees, s->M2_disagreement_time, p->sample_time, p->hold_time, &s->M2_disagreement_time,
         &M2_disagrees);
     /* M2_speed to the last bit */
+    s->M2_speed_still_time = back_to_back_select(s->running > 0.5, s->M2_speed_still_time, 0.0);
     back_to_back_still(s->M2_speed_held, s->M2_speed_before, s->M2_speed_still_time, p->sample_time,
         &s->M2_speed_still_time);
     s->M2_speed_before = s->M2_speed_held;
@@ -475,6 +478,7 @@ back_to_back_controller_status back_to_back_controller_step(back_to_back_control
     const back_to_back_real cause_fault_M2_speed_disagreement = back_to_back_select(M2_disagrees > 0.0, 5006.0,
         9999.0);
     /* flange2_torque to the last bit */
+    s->flange2_torque_still_time = back_to_back_select(s->running > 0.5, s->flange2_torque_still_time, 0.0);
     back_to_back_still(s->flange2_torque_held, s->flange2_torque_before, s->flange2_torque_still_time,
         p->sample_time, &s->flange2_torque_still_time);
     s->flange2_torque_before = s->flange2_torque_held;

@@ -777,6 +777,7 @@ centre_differential_locked_controller_status centre_differential_locked_controll
     centre_differential_locked_lasting(M1_agrees, s->M1_disagreement_time, p->sample_time, p->hold_time,
         &s->M1_disagreement_time, &M1_disagrees);
     /* M1_speed to the last bit */
+    s->M1_speed_still_time = centre_differential_locked_select(s->running > 0.5, s->M1_speed_still_time, 0.0);
     centre_differential_locked_still(s->M1_speed_held, s->M1_speed_before, s->M1_speed_still_time, p->sample_time,
         &s->M1_speed_still_time);
     s->M1_speed_before = s->M1_speed_held;
@@ -786,6 +787,8 @@ centre_differential_locked_controller_status centre_differential_locked_controll
     const centre_differential_locked_real cause_fault_M1_speed_disagreement =
         centre_differential_locked_select(M1_disagrees > 0.0, 5004.0, 9999.0);
     /* flange1_torque to the last bit */
+    s->flange1_torque_still_time = centre_differential_locked_select(s->running > 0.5, s->flange1_torque_still_time,
+        0.0);
     centre_differential_locked_still(s->flange1_torque_held, s->flange1_torque_before, s->flange1_torque_still_time,
         p->sample_time, &s->flange1_torque_still_time);
     s->flange1_torque_before = s->flange1_torque_held;
@@ -810,6 +813,7 @@ centre_differential_locked_controller_status centre_differential_locked_controll
     centre_differential_locked_lasting(M2_agrees, s->M2_disagreement_time, p->sample_time, p->hold_time,
         &s->M2_disagreement_time, &M2_disagrees);
     /* M2_speed to the last bit */
+    s->M2_speed_still_time = centre_differential_locked_select(s->running > 0.5, s->M2_speed_still_time, 0.0);
     centre_differential_locked_still(s->M2_speed_held, s->M2_speed_before, s->M2_speed_still_time, p->sample_time,
         &s->M2_speed_still_time);
     s->M2_speed_before = s->M2_speed_held;
@@ -819,6 +823,8 @@ centre_differential_locked_controller_status centre_differential_locked_controll
     const centre_differential_locked_real cause_fault_M2_speed_disagreement =
         centre_differential_locked_select(M2_disagrees > 0.0, 5007.0, 9999.0);
     /* flange2_torque to the last bit */
+    s->flange2_torque_still_time = centre_differential_locked_select(s->running > 0.5, s->flange2_torque_still_time,
+        0.0);
     centre_differential_locked_still(s->flange2_torque_held, s->flange2_torque_before, s->flange2_torque_still_time,
         p->sample_time, &s->flange2_torque_still_time);
     s->flange2_torque_before = s->flange2_torque_held;
@@ -843,6 +849,7 @@ centre_differential_locked_controller_status centre_differential_locked_controll
     centre_differential_locked_lasting(M3_agrees, s->M3_disagreement_time, p->sample_time, p->hold_time,
         &s->M3_disagreement_time, &M3_disagrees);
     /* M3_speed to the last bit */
+    s->M3_speed_still_time = centre_differential_locked_select(s->running > 0.5, s->M3_speed_still_time, 0.0);
     centre_differential_locked_still(s->M3_speed_held, s->M3_speed_before, s->M3_speed_still_time, p->sample_time,
         &s->M3_speed_still_time);
     s->M3_speed_before = s->M3_speed_held;
@@ -852,6 +859,8 @@ centre_differential_locked_controller_status centre_differential_locked_controll
     const centre_differential_locked_real cause_fault_M3_speed_disagreement =
         centre_differential_locked_select(M3_disagrees > 0.0, 5009.0, 9999.0);
     /* flange3_torque to the last bit */
+    s->flange3_torque_still_time = centre_differential_locked_select(s->running > 0.5, s->flange3_torque_still_time,
+        0.0);
     centre_differential_locked_still(s->flange3_torque_held, s->flange3_torque_before, s->flange3_torque_still_time,
         p->sample_time, &s->flange3_torque_still_time);
     s->flange3_torque_before = s->flange3_torque_held;

@@ -373,6 +373,7 @@ clutch_rig_controller_status clutch_rig_controller_step(clutch_rig_controller_st
     clutch_rig_lasting(M1_agrees, s->M1_disagreement_time, p->sample_time, p->hold_time, &s->M1_disagreement_time,
         &M1_disagrees);
     /* M1_speed to the last bit */
+    s->M1_speed_still_time = clutch_rig_select(s->running > 0.5, s->M1_speed_still_time, 0.0);
     clutch_rig_still(s->M1_speed_held, s->M1_speed_before, s->M1_speed_still_time, p->sample_time,
         &s->M1_speed_still_time);
     s->M1_speed_before = s->M1_speed_held;
@@ -380,6 +381,7 @@ clutch_rig_controller_status clutch_rig_controller_step(clutch_rig_controller_st
         p->M1_frozen_limit, s->M1_speed_still_time - p->frozen_time) > 0.0, 3003.0, 9999.0);
     const clutch_rig_real cause_fault_M1_speed_disagreement = clutch_rig_select(M1_disagrees > 0.0, 5003.0, 9999.0);
     /* flange1_torque to the last bit */
+    s->flange1_torque_still_time = clutch_rig_select(s->running > 0.5, s->flange1_torque_still_time, 0.0);
     clutch_rig_still(s->flange1_torque_held, s->flange1_torque_before, s->flange1_torque_still_time, p->sample_time,
         &s->flange1_torque_still_time);
     s->flange1_torque_before = s->flange1_torque_held;
@@ -401,6 +403,7 @@ clutch_rig_controller_status clutch_rig_controller_step(clutch_rig_controller_st
     clutch_rig_lasting(M2_agrees, s->M2_disagreement_time, p->sample_time, p->hold_time, &s->M2_disagreement_time,
         &M2_disagrees);
     /* M2_speed to the last bit */
+    s->M2_speed_still_time = clutch_rig_select(s->running > 0.5, s->M2_speed_still_time, 0.0);
     clutch_rig_still(s->M2_speed_held, s->M2_speed_before, s->M2_speed_still_time, p->sample_time,
         &s->M2_speed_still_time);
     s->M2_speed_before = s->M2_speed_held;
@@ -408,6 +411,7 @@ clutch_rig_controller_status clutch_rig_controller_step(clutch_rig_controller_st
         p->M2_frozen_limit, s->M2_speed_still_time - p->frozen_time) > 0.0, 3006.0, 9999.0);
     const clutch_rig_real cause_fault_M2_speed_disagreement = clutch_rig_select(M2_disagrees > 0.0, 5006.0, 9999.0);
     /* flange2_torque to the last bit */
+    s->flange2_torque_still_time = clutch_rig_select(s->running > 0.5, s->flange2_torque_still_time, 0.0);
     clutch_rig_still(s->flange2_torque_held, s->flange2_torque_before, s->flange2_torque_still_time, p->sample_time,
         &s->flange2_torque_still_time);
     s->flange2_torque_before = s->flange2_torque_held;

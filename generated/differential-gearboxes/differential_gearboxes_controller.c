@@ -567,6 +567,7 @@ differential_gearboxes_controller_status differential_gearboxes_controller_step(
     differential_gearboxes_lasting(M2_agrees, s->M2_disagreement_time, p->sample_time, p->hold_time,
         &s->M2_disagreement_time, &M2_disagrees);
     /* M2_speed to the last bit */
+    s->M2_speed_still_time = differential_gearboxes_select(s->running > 0.5, s->M2_speed_still_time, 0.0);
     differential_gearboxes_still(s->M2_speed_held, s->M2_speed_before, s->M2_speed_still_time, p->sample_time,
         &s->M2_speed_still_time);
     s->M2_speed_before = s->M2_speed_held;
@@ -576,6 +577,8 @@ differential_gearboxes_controller_status differential_gearboxes_controller_step(
     const differential_gearboxes_real cause_fault_M2_speed_disagreement = differential_gearboxes_select(M2_disagrees
         > 0.0, 5006.0, 9999.0);
     /* flange2_torque to the last bit */
+    s->flange2_torque_still_time = differential_gearboxes_select(s->running > 0.5, s->flange2_torque_still_time,
+        0.0);
     differential_gearboxes_still(s->flange2_torque_held, s->flange2_torque_before, s->flange2_torque_still_time,
         p->sample_time, &s->flange2_torque_still_time);
     s->flange2_torque_before = s->flange2_torque_held;
@@ -599,6 +602,7 @@ differential_gearboxes_controller_status differential_gearboxes_controller_step(
     differential_gearboxes_lasting(M3_agrees, s->M3_disagreement_time, p->sample_time, p->hold_time,
         &s->M3_disagreement_time, &M3_disagrees);
     /* M3_speed to the last bit */
+    s->M3_speed_still_time = differential_gearboxes_select(s->running > 0.5, s->M3_speed_still_time, 0.0);
     differential_gearboxes_still(s->M3_speed_held, s->M3_speed_before, s->M3_speed_still_time, p->sample_time,
         &s->M3_speed_still_time);
     s->M3_speed_before = s->M3_speed_held;
@@ -608,6 +612,8 @@ differential_gearboxes_controller_status differential_gearboxes_controller_step(
     const differential_gearboxes_real cause_fault_M3_speed_disagreement = differential_gearboxes_select(M3_disagrees
         > 0.0, 5008.0, 9999.0);
     /* flange3_torque to the last bit */
+    s->flange3_torque_still_time = differential_gearboxes_select(s->running > 0.5, s->flange3_torque_still_time,
+        0.0);
     differential_gearboxes_still(s->flange3_torque_held, s->flange3_torque_before, s->flange3_torque_still_time,
         p->sample_time, &s->flange3_torque_still_time);
     s->flange3_torque_before = s->flange3_torque_held;

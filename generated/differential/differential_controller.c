@@ -564,6 +564,7 @@ differential_controller_status differential_controller_step(differential_control
     differential_lasting(M1_agrees, s->M1_disagreement_time, p->sample_time, p->hold_time, &s->M1_disagreement_time,
         &M1_disagrees);
     /* M1_speed to the last bit */
+    s->M1_speed_still_time = differential_select(s->running > 0.5, s->M1_speed_still_time, 0.0);
     differential_still(s->M1_speed_held, s->M1_speed_before, s->M1_speed_still_time, p->sample_time,
         &s->M1_speed_still_time);
     s->M1_speed_before = s->M1_speed_held;
@@ -572,6 +573,7 @@ differential_controller_status differential_controller_step(differential_control
     const differential_real cause_fault_M1_speed_disagreement = differential_select(M1_disagrees > 0.0, 5004.0,
         9999.0);
     /* flange1_torque to the last bit */
+    s->flange1_torque_still_time = differential_select(s->running > 0.5, s->flange1_torque_still_time, 0.0);
     differential_still(s->flange1_torque_held, s->flange1_torque_before, s->flange1_torque_still_time,
         p->sample_time, &s->flange1_torque_still_time);
     s->flange1_torque_before = s->flange1_torque_held;
@@ -593,6 +595,7 @@ differential_controller_status differential_controller_step(differential_control
     differential_lasting(M2_agrees, s->M2_disagreement_time, p->sample_time, p->hold_time, &s->M2_disagreement_time,
         &M2_disagrees);
     /* M2_speed to the last bit */
+    s->M2_speed_still_time = differential_select(s->running > 0.5, s->M2_speed_still_time, 0.0);
     differential_still(s->M2_speed_held, s->M2_speed_before, s->M2_speed_still_time, p->sample_time,
         &s->M2_speed_still_time);
     s->M2_speed_before = s->M2_speed_held;
@@ -601,6 +604,7 @@ differential_controller_status differential_controller_step(differential_control
     const differential_real cause_fault_M2_speed_disagreement = differential_select(M2_disagrees > 0.0, 5007.0,
         9999.0);
     /* flange2_torque to the last bit */
+    s->flange2_torque_still_time = differential_select(s->running > 0.5, s->flange2_torque_still_time, 0.0);
     differential_still(s->flange2_torque_held, s->flange2_torque_before, s->flange2_torque_still_time,
         p->sample_time, &s->flange2_torque_still_time);
     s->flange2_torque_before = s->flange2_torque_held;
@@ -622,6 +626,7 @@ differential_controller_status differential_controller_step(differential_control
     differential_lasting(M3_agrees, s->M3_disagreement_time, p->sample_time, p->hold_time, &s->M3_disagreement_time,
         &M3_disagrees);
     /* M3_speed to the last bit */
+    s->M3_speed_still_time = differential_select(s->running > 0.5, s->M3_speed_still_time, 0.0);
     differential_still(s->M3_speed_held, s->M3_speed_before, s->M3_speed_still_time, p->sample_time,
         &s->M3_speed_still_time);
     s->M3_speed_before = s->M3_speed_held;
@@ -630,6 +635,7 @@ differential_controller_status differential_controller_step(differential_control
     const differential_real cause_fault_M3_speed_disagreement = differential_select(M3_disagrees > 0.0, 5009.0,
         9999.0);
     /* flange3_torque to the last bit */
+    s->flange3_torque_still_time = differential_select(s->running > 0.5, s->flange3_torque_still_time, 0.0);
     differential_still(s->flange3_torque_held, s->flange3_torque_before, s->flange3_torque_still_time,
         p->sample_time, &s->flange3_torque_still_time);
     s->flange3_torque_before = s->flange3_torque_held;

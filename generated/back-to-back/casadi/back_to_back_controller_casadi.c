@@ -635,7 +635,9 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a060=(a050-a021);
   a061=arg[2]? arg[2][31] : 0;
   a061=(a007==a061);
-  a062=arg[2]? arg[2][32] : 0;
+  a062=(a000<a052);
+  a063=arg[2]? arg[2][32] : 0;
+  a062=(a062?a063:0);
   a062=(a062+a033);
   a061=(a061?a062:0);
   a062=arg[0]? arg[0][27] : 0;
@@ -731,7 +733,9 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a024=(a055-a075);
   a076=arg[2]? arg[2][38] : 0;
   a076=(a011==a076);
-  a077=arg[2]? arg[2][39] : 0;
+  a077=(a000<a052);
+  a078=arg[2]? arg[2][39] : 0;
+  a077=(a077?a078:0);
   a077=(a077+a033);
   a076=(a076?a077:0);
   a077=(a076-a062);
@@ -781,7 +785,9 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a050=(a050-a021);
   a021=arg[2]? arg[2][33] : 0;
   a021=(a020==a021);
-  a081=arg[2]? arg[2][34] : 0;
+  a081=(a000<a052);
+  a084=arg[2]? arg[2][34] : 0;
+  a081=(a081?a084:0);
   a081=(a081+a033);
   a021=(a021?a081:0);
   a081=(a021-a062);
@@ -846,7 +852,9 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a055=(a055-a075);
   a075=arg[2]? arg[2][40] : 0;
   a075=(a023==a075);
-  a086=arg[2]? arg[2][41] : 0;
+  a086=(a000<a052);
+  a089=arg[2]? arg[2][41] : 0;
+  a086=(a086?a089:0);
   a086=(a086+a033);
   a075=(a075?a086:0);
   a062=(a075-a062);

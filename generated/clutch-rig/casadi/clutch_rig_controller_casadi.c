@@ -600,7 +600,9 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a60=(a50-a56);
   a61=arg[2]? arg[2][25] : 0;
   a61=(a07==a61);
-  a62=arg[2]? arg[2][26] : 0;
+  a62=(a00<a52);
+  a63=arg[2]? arg[2][26] : 0;
+  a62=(a62?a63:0);
   a62=(a62+a33);
   a61=(a61?a62:0);
   a62=arg[0]? arg[0][26] : 0;
@@ -696,7 +698,9 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a24=(a21-a75);
   a76=arg[2]? arg[2][32] : 0;
   a76=(a14==a76);
-  a77=arg[2]? arg[2][33] : 0;
+  a77=(a00<a52);
+  a78=arg[2]? arg[2][33] : 0;
+  a77=(a77?a78:0);
   a77=(a77+a33);
   a76=(a76?a77:0);
   a77=(a76-a62);
@@ -746,7 +750,9 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a50=(a50-a56);
   a56=arg[2]? arg[2][27] : 0;
   a56=(a20==a56);
-  a81=arg[2]? arg[2][28] : 0;
+  a81=(a00<a52);
+  a84=arg[2]? arg[2][28] : 0;
+  a81=(a81?a84:0);
   a81=(a81+a33);
   a56=(a56?a81:0);
   a81=(a56-a62);
@@ -811,7 +817,9 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a21=(a21-a75);
   a75=arg[2]? arg[2][34] : 0;
   a75=(a23==a75);
-  a86=arg[2]? arg[2][35] : 0;
+  a86=(a00<a52);
+  a89=arg[2]? arg[2][35] : 0;
+  a86=(a86?a89:0);
   a86=(a86+a33);
   a75=(a75?a86:0);
   a62=(a75-a62);

@@ -861,7 +861,9 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a077=(a073-a080);
   a081=arg[2]? arg[2][36] : 0;
   a081=(a011==a081);
-  a082=arg[2]? arg[2][37] : 0;
+  a082=(a000<a042);
+  a083=arg[2]? arg[2][37] : 0;
+  a082=(a082?a083:0);
   a082=(a082+a039);
   a081=(a081?a082:0);
   a082=arg[0]? arg[0][34] : 0;
@@ -955,7 +957,9 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a030=(a027-a093);
   a094=arg[2]? arg[2][43] : 0;
   a094=(a017==a094);
-  a095=arg[2]? arg[2][44] : 0;
+  a095=(a000<a042);
+  a096=arg[2]? arg[2][44] : 0;
+  a095=(a095?a096:0);
   a095=(a095+a039);
   a094=(a094?a095:0);
   a095=(a094-a082);
@@ -1005,7 +1009,9 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a073=(a073-a080);
   a080=arg[2]? arg[2][38] : 0;
   a080=(a026==a080);
-  a099=arg[2]? arg[2][39] : 0;
+  a099=(a000<a042);
+  a102=arg[2]? arg[2][39] : 0;
+  a099=(a099?a102:0);
   a099=(a099+a039);
   a080=(a080?a099:0);
   a099=(a080-a082);
@@ -1070,7 +1076,9 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a027=(a027-a093);
   a093=arg[2]? arg[2][45] : 0;
   a093=(a029==a093);
-  a104=arg[2]? arg[2][46] : 0;
+  a104=(a000<a042);
+  a107=arg[2]? arg[2][46] : 0;
+  a104=(a104?a107:0);
   a104=(a104+a039);
   a093=(a093?a104:0);
   a082=(a093-a082);
