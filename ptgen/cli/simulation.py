@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+import math
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -15,11 +16,12 @@ from rich.text import Text
 from ptgen.cli.options import AsJson, BedFile, ControllerKind, MethodKind
 from ptgen.cli.outcome import reported
 from ptgen.cli.output import messages, print_json, print_parts
+from ptgen.errors import Problem, RunError
 
 if TYPE_CHECKING:
     from ptgen.simulate.recording import Recording
 
-__all__ = ["simulate"]
+__all__ = ["parsed_parameters", "simulate"]
 
 
 @reported
@@ -45,6 +47,14 @@ def simulate(
     plot: Annotated[
         Path | None, typer.Option("--plot", metavar="FIGURE", help="Draw the recording (.svg, .png or .pdf).")
     ] = None,
+    settings: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--set",
+            metavar="NAME=VALUE",
+            help="A parameter of controller or plant that differs from its default, in SI units; may be repeated.",
+        ),
+    ] = None,
     as_json: AsJson = False,
 ) -> None:
     """Compile controller and plant of a bed and run a scenario with them."""
@@ -59,6 +69,7 @@ def simulate(
         check_destination(output, (".csv",), "--output")
     if plot is not None:
         check_figure(plot, "--plot")
+    parameters = parsed_parameters(settings or [])
     project = Project.read(file)
     course = load_scenario(scenario, project.testbed)
     with _progress(course.title or course.name) as (show, advance):
@@ -66,7 +77,13 @@ def simulate(
         library = build(project)
         show("run")
         recording = run(
-            project, course, controller=controller.value, method=method.value, library=library, progress=advance
+            project,
+            course,
+            controller=controller.value,
+            method=method.value,
+            library=library,
+            progress=advance,
+            parameters=parameters,
         )
     if output is not None:
         recording.write_csv(output)
@@ -80,6 +97,35 @@ def simulate(
         print_json({**named, "controller": controller.value, "method": method.value, **recording.summary()})
     else:
         print_parts(_summary(recording))
+
+
+def parsed_parameters(settings: Sequence[str]) -> dict[str, float]:
+    """Return the parameters in settings such as ``"M1_damping=40"``.
+
+    Raises
+    ------
+    RunError
+        With every setting that is no name and number, or that names a parameter twice.
+    """
+    parameters: dict[str, float] = {}
+    problems = []
+    for setting in settings:
+        name, _, text = (part.strip() for part in setting.partition("="))
+        try:
+            value = float(text)
+        except ValueError:
+            value = math.nan
+        if not name or not math.isfinite(value):
+            problems.append(
+                Problem("--set", f'"{setting}" is no NAME=VALUE', "write a number in SI units, such as M1_damping=40")
+            )
+        elif name in parameters:
+            problems.append(Problem("--set", f'"{name}" is set twice', "set it once"))
+        else:
+            parameters[name] = value
+    if problems:
+        raise RunError(problems)
+    return parameters
 
 
 @contextmanager

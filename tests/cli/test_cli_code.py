@@ -90,6 +90,23 @@ def test_scenario_problems_name_the_scenario(cli, tmp_path):
     assert [(problem["file"], problem["where"]) for problem in problems] == [(str(path), "scenario.duration")]
 
 
+def test_simulate_with_other_parameters(cli, scenario):
+    """A change to 200 N m overshoots without damping."""
+
+    def peak(*settings: str) -> float:
+        return cli.json("simulate", BED, "-s", scenario, *settings)["signals"]["flange1_torque"]["max"]
+
+    assert peak("--set", "M1_damping=0", "--set", "M1_torque_integral_gain=1") > 210 > 205 > peak()
+
+
+def test_simulate_names_settings_that_are_none(cli, scenario):
+    wrong = ("--set", "M1_damping", "--set", "M1_damping=4 N", "--set", "x=1", "--set", "x=2")
+    problems = cli.json("simulate", BED, "-s", scenario, *wrong, code=2)["problems"]
+    assert [problem["where"] for problem in problems] == ["--set"] * 3
+    (problem,) = cli.json("simulate", BED, "-s", scenario, "--set", "M1_dampin=1", code=2)["problems"]
+    assert "M1_damping" in problem["remedy"]
+
+
 def test_simulate_knows_its_controllers(cli, scenario):
     assert "conventional" in cli("simulate", BED, "-s", scenario, "--controller", "best", code=2).output
 
