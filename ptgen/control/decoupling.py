@@ -20,7 +20,7 @@ from ptgen.control import advice, findings
 from ptgen.control.individual_law import individual_law
 from ptgen.control.known_losses import loss_element, with_known_losses
 from ptgen.control.lie import AffineSystem, OutputChain, affine_system, derivatives
-from ptgen.control.measured_law import Law, complete_law, decoupling_rows
+from ptgen.control.measured_law import Law, complete_law, decoupling_rows, rotor_balances
 from ptgen.control.normal_form import NormalForm, normal_form
 from ptgen.control.sensor_rows import SensorRows
 from ptgen.control.state_law import StateLaw, Wishes, decoupling_state_law
@@ -31,6 +31,7 @@ from ptgen.mechanism.abbreviation import abbreviate
 from ptgen.mechanism.assembly import assemble
 from ptgen.mechanism.model import LinearForm, Model, evaluate_matrix
 from ptgen.mechanism.reduction import ReducedModel
+from ptgen.mechanism.twist_basis import twists_of
 from ptgen.testbed.testbed import Roles, Structure
 
 __all__ = ["Decoupling", "decouple"]
@@ -167,7 +168,8 @@ def _decouple(reduced: ReducedModel, roles: Roles, structure: Structure, losses:
     model = assemble(with_known_losses(reduced.mechanism, losses), first="machines") if losses else reduced.model
     actuators = tuple(machines.index(name) for name in (*roles.torque, *roles.speed))
     torque_count = len(roles.torque)
-    short = abbreviate(model)
+    basis = twists_of(model, actuators[:torque_count])
+    short = abbreviate(basis.model)
     estimates, model, values = _with_inertia_estimates(short.model, machines, actuators[:torque_count])
     forms = _output_forms(model, roles)
     system = affine_system(model)
@@ -186,21 +188,25 @@ def _decouple(reduced: ReducedModel, roles: Roles, structure: Structure, losses:
         feedthrough=tuple(form.f for form in forms.values()),
     )
     table = {**values, **dict.fromkeys(wishes.damping, 1.0)}
-    rows = SensorRows(reduced.original, model, set(actuators[:torque_count]), known)
+    torque_machines = set(actuators[:torque_count])
+    rows = SensorRows(reduced.original, model, torque_machines, known)
+    balances = rotor_balances(SensorRows(reduced.original, short.model, set(), known))
+    former = evaluate_matrix(basis.former, values)
+    equivalent_damping = former.T @ reduced.equivalent_damping @ former
     eigenvalues = np.zeros(0, dtype=np.complex128)
     form = None
     if structure == "decoupling":
         if singular is not None:
             raise singular
         state_law = decoupling_state_law(system, chains, matrix, wishes, rates)
-        eigenvalues = _internal_eigenvalues(system, model, chains, state_law, table, reduced.equivalent_damping)
+        eigenvalues = _internal_eigenvalues(system, model, chains, state_law, table, equivalent_damping)
         findings.check_internal(eigenvalues, _swinging(reduced), model, torque_count)
         form = normal_form(system, chains, state_law.x, model.states)
-        R = decoupling_rows(rows, state_law, _swinging(reduced))
+        R = decoupling_rows(rows, state_law, tuple(forms.values())[:torque_count], _swinging(reduced))
     else:
         findings.check_uncontrolled_twists(model, torque_count)
-        state_law, R = individual_law(rows, system, forms, wishes, _swinging(reduced))
-    law = complete_law(rows, state_law, R, forms, torque_count, _swinging(reduced))
+        state_law, R = individual_law(rows, balances, system, forms, wishes, _swinging(reduced))
+    law = complete_law(rows, state_law, R, forms, balances, _swinging(reduced))
     return Decoupling(
         structure=structure,
         findings=() if singular is None else tuple(problem.what for problem in singular.problems),

@@ -13,7 +13,7 @@ import sympy as sp
 
 from ptgen.control import findings
 from ptgen.control.lie import AffineSystem
-from ptgen.control.measured_law import balance
+from ptgen.control.measured_law import Balance
 from ptgen.control.sensor_rows import SensorRows
 from ptgen.control.state_law import StateLaw, Wishes
 from ptgen.mechanism import exact
@@ -23,13 +23,20 @@ __all__ = ["individual_law"]
 
 
 def individual_law(
-    rows: SensorRows, system: AffineSystem, outputs: Mapping[str, LinearForm], wishes: Wishes, swinging: Sequence[str]
+    rows: SensorRows,
+    balances: Sequence[Balance | None],
+    system: AffineSystem,
+    outputs: Mapping[str, LinearForm],
+    wishes: Wishes,
+    swinging: Sequence[str],
 ) -> tuple[StateLaw, sp.Matrix]:
     """Return the law over the states, and its rows over the sensors (m, n_s).
 
     Parameters
     ----------
     rows : SensorRows
+    balances : sequence of Balance or None (m)
+        Of the rotors.
     system : AffineSystem
     outputs : mapping of str to LinearForm
         The controlled quantities, torques first.
@@ -52,7 +59,7 @@ def individual_law(
     P, R = sp.zeros(m, m), sp.zeros(m, count)
     for index, (form, machine) in enumerate(zip(outputs.values(), wishes.actuators, strict=True)):
         if index >= wishes.torque_count:
-            found = balance(machine, rows)
+            found = balances[machine]
             P[machine, index] = sp.Integer(1) if found is None else 1 / found.share
             if found is not None:
                 R[machine, :] = -found.sensors / found.share

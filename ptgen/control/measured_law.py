@@ -15,7 +15,7 @@ from ptgen.elements import Friction
 from ptgen.mechanism import exact
 from ptgen.mechanism.model import LinearForm
 
-__all__ = ["Balance", "KnownLoss", "Law", "balance", "complete_law", "decoupling_rows"]
+__all__ = ["Balance", "KnownLoss", "Law", "complete_law", "decoupling_rows", "rotor_balances"]
 
 
 @dataclass(frozen=True)
@@ -86,7 +86,9 @@ class Law:
     balance: tuple[Balance | None, ...]
 
 
-def decoupling_rows(rows: SensorRows, state_law: StateLaw, swinging: Sequence[str]) -> sp.Matrix:
+def decoupling_rows(
+    rows: SensorRows, state_law: StateLaw, torques: Sequence[LinearForm], swinging: Sequence[str]
+) -> sp.Matrix:
     """Replace states and disturbances of a law by sensors; return ``R`` (m, n_s).
 
     With ``y = C x + D u + F T`` and ``u = U_v v + U_x x + U_T T`` the combination has to satisfy
@@ -96,6 +98,9 @@ def decoupling_rows(rows: SensorRows, state_law: StateLaw, swinging: Sequence[st
     ----------
     rows : SensorRows
     state_law : StateLaw
+    torques : sequence of LinearForm
+        The controlled torques; sensors that read these go before others in the laws of their machines, so that what
+        losses do to the rest of the bed stays out of them.
     swinging : sequence of str
         Components whose inertia stands between the machines; named if a state cannot be measured.
 
@@ -106,9 +111,10 @@ def decoupling_rows(rows: SensorRows, state_law: StateLaw, swinging: Sequence[st
     """
     machines = [torque.name for torque in rows.model.inputs]
     seen = rows.under(state_law)
-    found = []
+    found, reading = [], rows.reading(torques)
     for machine, name in enumerate(machines):
-        order = rows.order(f"{name}.shaft", speeds_first=machine in rows.torque_machines)
+        controls_torque = machine in rows.torque_machines
+        order = rows.order(f"{name}.shaft", controls_torque, reading if controls_torque else frozenset())
         wanted = rows.unknown_part(state_law.x[machine, :], state_law.T[machine, :])
         found.append(_combined(rows, seen, wanted, order, f"the law of {name}", swinging))
     return exact.canonical(exact.stack(found, len(rows.sensors)))
@@ -119,7 +125,7 @@ def complete_law(
     state_law: StateLaw,
     R: sp.Matrix,
     outputs: Mapping[str, LinearForm],
-    torque_count: int,
+    balances: Sequence[Balance | None],
     swinging: Sequence[str],
 ) -> Law:
     """Return the law over virtual inputs and sensors with the estimates of the controlled torques.
@@ -132,7 +138,8 @@ def complete_law(
         The law's rows over the sensors.
     outputs : mapping of str to LinearForm
         The controlled quantities, torques first.
-    torque_count : int
+    balances : sequence of Balance or None (m)
+        Of the rotors.
     swinging : sequence of str
 
     Raises
@@ -154,7 +161,7 @@ def complete_law(
         ratio_rates[ratio] = exact.canonical(exact.stack(shares, len(rows.sensors)))
     estimates, known = [], []
     disturbed = rows.F + rows.D * state_law.T
-    for place in list(outputs)[:torque_count]:
+    for place in list(outputs)[: len(rows.torque_machines)]:
         form = outputs[place]
         wanted = rows.unknown_part(sp.Matrix.hstack(form.z, form.e), form.f)
         estimates.append(_combined(rows, seen, wanted, rows.order_at(place), f"the torque at {place}", swinging))
@@ -169,7 +176,7 @@ def complete_law(
         estimate_virtual=exact.canonical(-estimate * rows.D * state_law.v),
         estimate_losses=exact.canonical(exact.stack(known, len(rows.known))),
         known_losses=tuple(_known_loss(model.frictions[k], k, rows, swinging) for k in rows.known),
-        balance=tuple(balance(machine, rows) for machine in range(len(machines))),
+        balance=tuple(balances),
     )
 
 
@@ -182,7 +189,18 @@ def _combined(
     return found
 
 
-def balance(machine: int, rows: SensorRows) -> Balance | None:
+def rotor_balances(rows: SensorRows) -> tuple[Balance | None, ...]:
+    """Return the balance of each rotor, or None where the sensors do not give it.
+
+    Parameters
+    ----------
+    rows : SensorRows
+        Of the reduced model with its own inertias; tuned ones have no place here.
+    """
+    return tuple(_balance(machine, rows) for machine in range(len(rows.model.inputs)))
+
+
+def _balance(machine: int, rows: SensorRows) -> Balance | None:
     """Return the balance of a rotor if the sensors give it without the torques of other machines."""
     model = rows.model
     velocity = next(iter(model.inputs[machine].row))

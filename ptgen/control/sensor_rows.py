@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Set as AbstractSet
 
 import networkx as nx
 import sympy as sp
@@ -11,7 +12,7 @@ from ptgen.control.state_law import StateLaw
 from ptgen.elements import SensorKind
 from ptgen.mechanism import exact
 from ptgen.mechanism.mechanism import Mechanism
-from ptgen.mechanism.model import Model
+from ptgen.mechanism.model import LinearForm, Model
 
 __all__ = ["SensorRows"]
 
@@ -81,20 +82,31 @@ class SensorRows:
             row[sensor] = solution[position]
         return row
 
-    def order(self, velocity: str, speeds_first: bool = False) -> list[int]:
-        """Return the sensors from the nearest to a velocity to the farthest."""
-        return self._sorted(self._distances[velocity], speeds_first)
+    def order(self, velocity: str, speeds_first: bool = False, preferred: AbstractSet[int] = frozenset()) -> list[int]:
+        """Return the sensors from the nearest to a velocity to the farthest, after speeds the preferred ones."""
+        return self._sorted(self._distances[velocity], speeds_first, preferred)
+
+    def reading(self, outputs: Iterable[LinearForm]) -> frozenset[int]:
+        """Return the sensors that read one of these quantities themselves, up to a factor."""
+        rows = [sp.Matrix.hstack(form.z, form.e, form.f) for form in outputs]
+        mine = sp.Matrix.hstack(self.C, self.F)
+        return frozenset(
+            k
+            for k in range(len(self.sensors))
+            if not self._speeds[k] and any(exact.rank(mine[k, :].col_join(row)) < 2 for row in rows)
+        )
 
     def order_at(self, place: str) -> list[int]:
         """Return the sensors from the nearest to a place, or to any flange of a sum, to the farthest."""
-        return self._sorted(self._nearest(place), speeds_first=False)
+        return self._sorted(self._nearest(place), False, frozenset())
 
-    def _sorted(self, near: Mapping[str, int], speeds_first: bool) -> list[int]:
+    def _sorted(self, near: Mapping[str, int], speeds_first: bool, preferred: AbstractSet[int]) -> list[int]:
         return sorted(
             range(len(self.sensors)),
             key=lambda k: (
                 self._fed_back[k],
                 speeds_first and not self._speeds[k],
+                k not in preferred,
                 near.get(self.model.sensors[k].of, 1e9),
             ),
         )

@@ -83,10 +83,12 @@ class ClosedLoop:
         return to_v, to_T
 
 
-def wanted(decoupling: Decoupling, damping: Mapping[str, float], s: complex) -> NDArray[np.complex128]:
+def wanted(
+    decoupling: Decoupling, damping: Mapping[str, float], s: complex, values: Mapping[sp.Symbol, float] | None = None
+) -> NDArray[np.complex128]:
     """Return the diagonal that (5.49), (5.58), (5.70), (5.76) ask for at `s`."""
     result = np.zeros((len(decoupling.outputs),) * 2, dtype=complex)
-    values = decoupling.values
+    values = values or decoupling.values
     for index, machine in enumerate(decoupling.actuators):
         if index < decoupling.torque_count:
             c = float(evaluate_matrix(sp.Matrix([[decoupling.stiffness[index]]]), values)[0, 0])
