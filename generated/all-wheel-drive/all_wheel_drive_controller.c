@@ -503,8 +503,6 @@ all_wheel_drive_controller_status all_wheel_drive_controller_update(all_wheel_dr
     s->M5_taper_end = p->M5_speed_max / p->M5_speed_taper + 1.0;
     s->disagreement_share = p->disagreement_leak * p->sample_time;
     s->M1_per_step = p->sample_time / p->M1_inertia;
-    s->M1_balance_share = p->M1_inertia / p->M1_inertia_estimate;
-    s->M1_balance_flange1_torque = -p->M1_inertia / p->M1_inertia_estimate;
     s->M2_per_step = p->sample_time / p->M2_inertia;
     s->M3_per_step = p->sample_time / p->M3_inertia;
     s->M4_per_step = p->sample_time / p->M4_inertia;
@@ -820,9 +818,8 @@ all_wheel_drive_controller_status all_wheel_drive_controller_step(all_wheel_driv
     /* speed from the torques on the rotor */
     const all_wheel_drive_real M1_integrated_before = all_wheel_drive_select(s->running > 0.5, s->M1_integrated,
         s->M1_speed_held);
-    s->M1_integrated = M1_integrated_before + s->M1_per_step * (M1_applied * s->M1_balance_share +
-        s->M1_balance_flange1_torque * s->flange1_torque_held) + s->disagreement_share * (-M1_integrated_before +
-        s->M1_speed_held);
+    s->M1_integrated = M1_integrated_before + s->M1_per_step * (M1_applied - s->flange1_torque_held) +
+        s->disagreement_share * (-M1_integrated_before + s->M1_speed_held);
     const all_wheel_drive_real M1_difference = all_wheel_drive_abs(s->M1_integrated - s->M1_speed_held);
     /* speed against torques */
     const all_wheel_drive_real M1_agrees = all_wheel_drive_select(M1_difference <= p->M1_disagreement_limit, 1.0,

@@ -293,8 +293,6 @@ typedef struct {
     all_wheel_drive_real M5_taper_end; /* share at standstill if it were not limited */
     all_wheel_drive_real disagreement_share; /* share of the difference that is forgotten per step */
     all_wheel_drive_real M1_per_step; /* change of speed of M1 per torque in a step (rad/s/(N m)) */
-    all_wheel_drive_real M1_balance_share; /* share of the torque of M1 on its rotor */
-    all_wheel_drive_real M1_balance_flange1_torque; /* coefficient of flange1_torque */
     all_wheel_drive_real M2_per_step; /* change of speed of M2 per torque in a step (rad/s/(N m)) */
     all_wheel_drive_real M3_per_step; /* change of speed of M3 per torque in a step (rad/s/(N m)) */
     all_wheel_drive_real M4_per_step; /* change of speed of M4 per torque in a step (rad/s/(N m)) */

@@ -266,8 +266,6 @@ back_to_back_controller_status back_to_back_controller_update(back_to_back_contr
     s->M2_taper_end = p->M2_speed_max / p->M2_speed_taper + 1.0;
     s->disagreement_share = p->disagreement_leak * p->sample_time;
     s->M1_per_step = p->sample_time / p->M1_inertia;
-    s->M1_balance_share = p->M1_inertia / p->M1_inertia_estimate;
-    s->M1_balance_flange1_torque = -p->M1_inertia / p->M1_inertia_estimate;
     s->M2_per_step = p->sample_time / p->M2_inertia;
     s->forgotten_swings = p->oscillation_frequency * p->sample_time;
     s->mean_share = 6.2832 * p->oscillation_frequency * p->sample_time;
@@ -428,9 +426,8 @@ back_to_back_controller_status back_to_back_controller_step(back_to_back_control
     /* speed from the torques on the rotor */
     const back_to_back_real M1_integrated_before = back_to_back_select(s->running > 0.5, s->M1_integrated,
         s->M1_speed_held);
-    s->M1_integrated = M1_integrated_before + s->M1_per_step * (M1_applied * s->M1_balance_share +
-        s->M1_balance_flange1_torque * s->flange1_torque_held) + s->disagreement_share * (-M1_integrated_before +
-        s->M1_speed_held);
+    s->M1_integrated = M1_integrated_before + s->M1_per_step * (M1_applied - s->flange1_torque_held) +
+        s->disagreement_share * (-M1_integrated_before + s->M1_speed_held);
     const back_to_back_real M1_difference = back_to_back_abs(s->M1_integrated - s->M1_speed_held);
     /* speed against torques */
     const back_to_back_real M1_agrees = back_to_back_select(M1_difference <= p->M1_disagreement_limit, 1.0, 0.0);

@@ -152,8 +152,6 @@ typedef struct {
     back_to_back_real M2_taper_end; /* share at standstill if it were not limited */
     back_to_back_real disagreement_share; /* share of the difference that is forgotten per step */
     back_to_back_real M1_per_step; /* change of speed of M1 per torque in a step (rad/s/(N m)) */
-    back_to_back_real M1_balance_share; /* share of the torque of M1 on its rotor */
-    back_to_back_real M1_balance_flange1_torque; /* coefficient of flange1_torque */
     back_to_back_real M2_per_step; /* change of speed of M2 per torque in a step (rad/s/(N m)) */
     back_to_back_real forgotten_swings; /* half swings that are forgotten per step */
     back_to_back_real mean_share; /* share of a step in the mean of a torque */

@@ -80,9 +80,9 @@ const centre_differential_locked_controller_params centre_differential_locked_co
     .M3_model_damping = 114.096,
     .M3_torque_model = 1.0,
     .diff_ratio = 1.0,
-    .cardan2_flange2_equivalent_stiffness = 9493.474505177111,
-    .flange1_cardan1_cardan2_flange2_equivalent_stiffness = -8214.194052548717,
-    .flange1_cardan1_equivalent_stiffness = 13786.395865973578,
+    .M2_M3_equivalent_stiffness = -1279.2804526283935,
+    .M2_equivalent_stiffness = 9493.474505177111,
+    .M3_equivalent_stiffness = 6851.482266053254,
     .M2_torque_integral_gain = 10.0,
     .M2_damping_reserve = 0.1,
     .M2_torque_integral_limit = 585.0,
@@ -162,9 +162,9 @@ const centre_differential_locked_controller_params centre_differential_locked_co
     .M3_model_damping = 114.096,
     .M3_torque_model = 0.0,
     .diff_ratio = 1.0,
-    .cardan2_flange2_equivalent_stiffness = 9493.474505177111,
-    .flange1_cardan1_cardan2_flange2_equivalent_stiffness = -8214.194052548717,
-    .flange1_cardan1_equivalent_stiffness = 13786.395865973578,
+    .M2_M3_equivalent_stiffness = -1279.2804526283935,
+    .M2_equivalent_stiffness = 9493.474505177111,
+    .M3_equivalent_stiffness = 6851.482266053254,
     .M2_torque_integral_gain = 0.250545,
     .M2_damping_reserve = 0.1,
     .M2_torque_integral_limit = 585.0,
@@ -252,9 +252,9 @@ static const struct {
     { "the parameter M3_model_damping is outside its range", offsetof(centre_differential_locked_controller_params, M3_model_damping), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M3_torque_model is outside its range", offsetof(centre_differential_locked_controller_params, M3_torque_model), 0.0, 1.0, 0, 0 },
     { "the parameter diff_ratio is outside its range", offsetof(centre_differential_locked_controller_params, diff_ratio), -DBL_MAX, DBL_MAX, 0, 1 },
-    { "the parameter cardan2_flange2_equivalent_stiffness is outside its range", offsetof(centre_differential_locked_controller_params, cardan2_flange2_equivalent_stiffness), 0.0, DBL_MAX, 1, 0 },
-    { "the parameter flange1_cardan1_cardan2_flange2_equivalent_stiffness is outside its range", offsetof(centre_differential_locked_controller_params, flange1_cardan1_cardan2_flange2_equivalent_stiffness), -DBL_MAX, DBL_MAX, 0, 0 },
-    { "the parameter flange1_cardan1_equivalent_stiffness is outside its range", offsetof(centre_differential_locked_controller_params, flange1_cardan1_equivalent_stiffness), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_M3_equivalent_stiffness is outside its range", offsetof(centre_differential_locked_controller_params, M2_M3_equivalent_stiffness), -DBL_MAX, DBL_MAX, 0, 0 },
+    { "the parameter M2_equivalent_stiffness is outside its range", offsetof(centre_differential_locked_controller_params, M2_equivalent_stiffness), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M3_equivalent_stiffness is outside its range", offsetof(centre_differential_locked_controller_params, M3_equivalent_stiffness), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M2_torque_integral_gain is outside its range", offsetof(centre_differential_locked_controller_params, M2_torque_integral_gain), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M2_damping_reserve is outside its range", offsetof(centre_differential_locked_controller_params, M2_damping_reserve), 0.0, 1.0, 0, 0 },
     { "the parameter M2_torque_integral_limit is outside its range", offsetof(centre_differential_locked_controller_params, M2_torque_integral_limit), 0.0, DBL_MAX, 0, 0 },
@@ -379,11 +379,7 @@ centre_differential_locked_controller_status centre_differential_locked_controll
     s->disagreement_share = p->disagreement_leak * p->sample_time;
     s->M1_per_step = p->sample_time / p->M1_inertia;
     s->M2_per_step = p->sample_time / p->M2_inertia;
-    s->M2_balance_share = p->M2_inertia / p->M2_inertia_estimate;
-    s->M2_balance_flange2_torque = p->M2_inertia / p->M2_inertia_estimate;
     s->M3_per_step = p->sample_time / p->M3_inertia;
-    s->M3_balance_share = p->M3_inertia / p->M3_inertia_estimate;
-    s->M3_balance_flange3_torque = p->M3_inertia / p->M3_inertia_estimate;
     s->forgotten_swings = p->oscillation_frequency * p->sample_time;
     s->mean_share = 6.2832 * p->oscillation_frequency * p->sample_time;
     s->M1_speed_ref_step = p->M1_speed_ref_rate * p->sample_time;
@@ -398,150 +394,52 @@ centre_differential_locked_controller_status centre_differential_locked_controll
     s->M3_model_pull = p->M3_model_stiffness * p->sample_time / p->M3_inertia_estimate;
     s->M3_model_drag = p->M3_model_damping * p->sample_time / p->M3_inertia_estimate;
     s->M2_with_M1 = p->M2_inertia_estimate / (p->M1_inertia * p->diff_ratio);
-    s->M2_share_M2 = -p->cardan2_flange2_equivalent_stiffness * (p->cardan2_flange2_equivalent_stiffness +
-        (p->diff_ratio * p->diff_ratio) * p->flange1_cardan1_equivalent_stiffness + 2.0 * p->diff_ratio *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) / ((p->diff_ratio * p->diff_ratio) *
-        (p->cardan2_flange2_equivalent_stiffness * p->flange1_cardan1_equivalent_stiffness -
-        (p->flange1_cardan1_cardan2_flange2_equivalent_stiffness *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness)));
-    s->M2_share_M3 = -p->M2_inertia_estimate * (p->cardan2_flange2_equivalent_stiffness + p->diff_ratio *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) * (p->cardan2_flange2_equivalent_stiffness +
-        (p->diff_ratio * p->diff_ratio) * p->flange1_cardan1_equivalent_stiffness + 2.0 * p->diff_ratio *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) / (p->M3_inertia_estimate * (p->diff_ratio *
-        p->diff_ratio) * (p->cardan2_flange2_equivalent_stiffness * p->flange1_cardan1_equivalent_stiffness -
-        (p->flange1_cardan1_cardan2_flange2_equivalent_stiffness *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness)));
-    s->M2_from_flange1_torque = p->M2_inertia_estimate * (p->cardan2_flange2_equivalent_stiffness + p->diff_ratio *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) * (p->cardan2_flange2_equivalent_stiffness +
-        (p->diff_ratio * p->diff_ratio) * p->flange1_cardan1_equivalent_stiffness + 2.0 * p->diff_ratio *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) / (p->M3_inertia_estimate * p->diff_ratio *
-        (p->cardan2_flange2_equivalent_stiffness * p->flange1_cardan1_equivalent_stiffness -
-        (p->flange1_cardan1_cardan2_flange2_equivalent_stiffness *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness)));
-    s->M2_from_flange2_torque = -(p->cardan2_flange2_equivalent_stiffness + p->diff_ratio *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) * (p->M2_inertia_estimate *
-        p->cardan2_flange2_equivalent_stiffness + p->M2_inertia_estimate * (p->diff_ratio * p->diff_ratio) *
-        p->flange1_cardan1_equivalent_stiffness + 2.0 * p->M2_inertia_estimate * p->diff_ratio *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness - p->M3_inertia_estimate *
-        p->cardan2_flange2_equivalent_stiffness - p->M3_inertia_estimate * p->diff_ratio *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) / (p->M3_inertia_estimate * (p->diff_ratio *
-        p->diff_ratio) * (p->cardan2_flange2_equivalent_stiffness * p->flange1_cardan1_equivalent_stiffness -
-        (p->flange1_cardan1_cardan2_flange2_equivalent_stiffness *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness)));
-    s->M2_twist_M2_M1_speed = -p->flange1_cardan1_cardan2_flange2_equivalent_stiffness *
-        (p->cardan2_flange2_equivalent_stiffness + (p->diff_ratio * p->diff_ratio) *
-        p->flange1_cardan1_equivalent_stiffness + 2.0 * p->diff_ratio *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) / ((p->diff_ratio * p->diff_ratio) *
-        (p->cardan2_flange2_equivalent_stiffness * p->flange1_cardan1_equivalent_stiffness -
-        (p->flange1_cardan1_cardan2_flange2_equivalent_stiffness *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness)));
-    s->M2_twist_M2_M2_speed = -p->cardan2_flange2_equivalent_stiffness * (p->cardan2_flange2_equivalent_stiffness +
-        (p->diff_ratio * p->diff_ratio) * p->flange1_cardan1_equivalent_stiffness + 2.0 * p->diff_ratio *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) / ((p->diff_ratio * p->diff_ratio) *
-        (p->cardan2_flange2_equivalent_stiffness * p->flange1_cardan1_equivalent_stiffness -
-        (p->flange1_cardan1_cardan2_flange2_equivalent_stiffness *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness)));
-    s->M2_twist_M2_M3_speed = (p->cardan2_flange2_equivalent_stiffness + p->diff_ratio *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) * (p->cardan2_flange2_equivalent_stiffness +
-        (p->diff_ratio * p->diff_ratio) * p->flange1_cardan1_equivalent_stiffness + 2.0 * p->diff_ratio *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) / ((p->diff_ratio * p->diff_ratio) *
-        (p->cardan2_flange2_equivalent_stiffness * p->flange1_cardan1_equivalent_stiffness -
-        (p->flange1_cardan1_cardan2_flange2_equivalent_stiffness *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness)));
-    s->M2_twist_M3_M1_speed = p->M2_inertia_estimate * (p->cardan2_flange2_equivalent_stiffness + p->diff_ratio *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) * (p->diff_ratio *
-        p->flange1_cardan1_equivalent_stiffness + p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) /
-        (p->M3_inertia_estimate * (p->diff_ratio * p->diff_ratio) * (p->cardan2_flange2_equivalent_stiffness *
-        p->flange1_cardan1_equivalent_stiffness - (p->flange1_cardan1_cardan2_flange2_equivalent_stiffness *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness)));
-    s->M2_twist_M3_M2_speed = p->M2_inertia_estimate * ((p->cardan2_flange2_equivalent_stiffness + p->diff_ratio *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) * (p->cardan2_flange2_equivalent_stiffness +
-        p->diff_ratio * p->flange1_cardan1_cardan2_flange2_equivalent_stiffness)) / (p->M3_inertia_estimate *
-        (p->diff_ratio * p->diff_ratio) * (p->cardan2_flange2_equivalent_stiffness *
-        p->flange1_cardan1_equivalent_stiffness - (p->flange1_cardan1_cardan2_flange2_equivalent_stiffness *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness)));
-    s->M2_twist_M3_M3_speed = -p->M2_inertia_estimate * (p->cardan2_flange2_equivalent_stiffness + p->diff_ratio *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) * (p->cardan2_flange2_equivalent_stiffness +
-        (p->diff_ratio * p->diff_ratio) * p->flange1_cardan1_equivalent_stiffness + 2.0 * p->diff_ratio *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) / (p->M3_inertia_estimate * (p->diff_ratio *
-        p->diff_ratio) * (p->cardan2_flange2_equivalent_stiffness * p->flange1_cardan1_equivalent_stiffness -
-        (p->flange1_cardan1_cardan2_flange2_equivalent_stiffness *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness)));
+    s->M2_share_M2 = p->M2_equivalent_stiffness * p->M3_equivalent_stiffness / ((p->M2_M3_equivalent_stiffness *
+        p->M2_M3_equivalent_stiffness) - p->M2_equivalent_stiffness * p->M3_equivalent_stiffness);
+    s->M2_share_M3 = -p->M2_M3_equivalent_stiffness * p->M2_inertia_estimate * p->M3_equivalent_stiffness /
+        (p->M3_inertia_estimate * ((p->M2_M3_equivalent_stiffness * p->M2_M3_equivalent_stiffness) -
+        p->M2_equivalent_stiffness * p->M3_equivalent_stiffness));
+    s->M2_from_flange2_torque = -(p->M2_M3_equivalent_stiffness * p->M2_M3_equivalent_stiffness) /
+        ((p->M2_M3_equivalent_stiffness * p->M2_M3_equivalent_stiffness) - p->M2_equivalent_stiffness *
+        p->M3_equivalent_stiffness);
+    s->M2_from_flange3_torque = p->M2_M3_equivalent_stiffness * p->M2_inertia_estimate * p->M3_equivalent_stiffness
+        / (p->M3_inertia_estimate * ((p->M2_M3_equivalent_stiffness * p->M2_M3_equivalent_stiffness) -
+        p->M2_equivalent_stiffness * p->M3_equivalent_stiffness));
+    s->M2_twist_M1_speed = -p->M3_equivalent_stiffness * (p->M2_M3_equivalent_stiffness +
+        p->M2_equivalent_stiffness) / (p->diff_ratio * ((p->M2_M3_equivalent_stiffness *
+        p->M2_M3_equivalent_stiffness) - p->M2_equivalent_stiffness * p->M3_equivalent_stiffness));
+    s->M2_twist_M2_speed = p->M2_equivalent_stiffness * p->M3_equivalent_stiffness / ((p->M2_M3_equivalent_stiffness
+        * p->M2_M3_equivalent_stiffness) - p->M2_equivalent_stiffness * p->M3_equivalent_stiffness);
+    s->M2_twist_M3_speed = p->M2_M3_equivalent_stiffness * p->M3_equivalent_stiffness /
+        ((p->M2_M3_equivalent_stiffness * p->M2_M3_equivalent_stiffness) - p->M2_equivalent_stiffness *
+        p->M3_equivalent_stiffness);
     s->M2_torque_growth = p->M2_torque_integral_gain * p->sample_time;
-    s->M2_share = -p->cardan2_flange2_equivalent_stiffness * (p->cardan2_flange2_equivalent_stiffness +
-        (p->diff_ratio * p->diff_ratio) * p->flange1_cardan1_equivalent_stiffness + 2.0 * p->diff_ratio *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) / ((p->diff_ratio * p->diff_ratio) *
-        (p->cardan2_flange2_equivalent_stiffness * p->flange1_cardan1_equivalent_stiffness -
-        (p->flange1_cardan1_cardan2_flange2_equivalent_stiffness *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness)));
+    s->M2_share = p->M2_equivalent_stiffness * p->M3_equivalent_stiffness / ((p->M2_M3_equivalent_stiffness *
+        p->M2_M3_equivalent_stiffness) - p->M2_equivalent_stiffness * p->M3_equivalent_stiffness);
     s->M3_with_M1 = p->M3_inertia_estimate / (p->M1_inertia * p->diff_ratio);
-    s->M3_share_M2 = -p->M3_inertia_estimate * p->cardan2_flange2_equivalent_stiffness *
-        (p->cardan2_flange2_equivalent_stiffness + p->diff_ratio *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) / (p->M2_inertia_estimate * (p->diff_ratio *
-        p->diff_ratio) * (p->cardan2_flange2_equivalent_stiffness * p->flange1_cardan1_equivalent_stiffness -
-        (p->flange1_cardan1_cardan2_flange2_equivalent_stiffness *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness)));
-    s->M3_share_M3 = -p->cardan2_flange2_equivalent_stiffness * (p->cardan2_flange2_equivalent_stiffness +
-        (p->diff_ratio * p->diff_ratio) * p->flange1_cardan1_equivalent_stiffness + 2.0 * p->diff_ratio *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) / ((p->diff_ratio * p->diff_ratio) *
-        (p->cardan2_flange2_equivalent_stiffness * p->flange1_cardan1_equivalent_stiffness -
-        (p->flange1_cardan1_cardan2_flange2_equivalent_stiffness *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness)));
-    s->M3_from_flange1_torque = p->M3_inertia_estimate * p->cardan2_flange2_equivalent_stiffness *
-        (p->cardan2_flange2_equivalent_stiffness + p->diff_ratio *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) / (p->M2_inertia_estimate * p->diff_ratio *
-        (p->cardan2_flange2_equivalent_stiffness * p->flange1_cardan1_equivalent_stiffness -
-        (p->flange1_cardan1_cardan2_flange2_equivalent_stiffness *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness)));
-    s->M3_from_flange3_torque = (p->cardan2_flange2_equivalent_stiffness + p->diff_ratio *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) * (p->M2_inertia_estimate *
-        p->cardan2_flange2_equivalent_stiffness + p->M2_inertia_estimate * p->diff_ratio *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness - p->M3_inertia_estimate *
-        p->cardan2_flange2_equivalent_stiffness) / (p->M2_inertia_estimate * (p->diff_ratio * p->diff_ratio) *
-        (p->cardan2_flange2_equivalent_stiffness * p->flange1_cardan1_equivalent_stiffness -
-        (p->flange1_cardan1_cardan2_flange2_equivalent_stiffness *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness)));
-    s->M3_twist_M2_M1_speed = -p->M3_inertia_estimate * p->flange1_cardan1_cardan2_flange2_equivalent_stiffness *
-        (p->cardan2_flange2_equivalent_stiffness + p->diff_ratio *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) / (p->M2_inertia_estimate * (p->diff_ratio *
-        p->diff_ratio) * (p->cardan2_flange2_equivalent_stiffness * p->flange1_cardan1_equivalent_stiffness -
-        (p->flange1_cardan1_cardan2_flange2_equivalent_stiffness *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness)));
-    s->M3_twist_M2_M2_speed = -p->M3_inertia_estimate * p->cardan2_flange2_equivalent_stiffness *
-        (p->cardan2_flange2_equivalent_stiffness + p->diff_ratio *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) / (p->M2_inertia_estimate * (p->diff_ratio *
-        p->diff_ratio) * (p->cardan2_flange2_equivalent_stiffness * p->flange1_cardan1_equivalent_stiffness -
-        (p->flange1_cardan1_cardan2_flange2_equivalent_stiffness *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness)));
-    s->M3_twist_M2_M3_speed = p->M3_inertia_estimate * ((p->cardan2_flange2_equivalent_stiffness + p->diff_ratio *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) * (p->cardan2_flange2_equivalent_stiffness +
-        p->diff_ratio * p->flange1_cardan1_cardan2_flange2_equivalent_stiffness)) / (p->M2_inertia_estimate *
-        (p->diff_ratio * p->diff_ratio) * (p->cardan2_flange2_equivalent_stiffness *
-        p->flange1_cardan1_equivalent_stiffness - (p->flange1_cardan1_cardan2_flange2_equivalent_stiffness *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness)));
-    s->M3_twist_M3_M1_speed = p->cardan2_flange2_equivalent_stiffness * (p->diff_ratio *
-        p->flange1_cardan1_equivalent_stiffness + p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) /
-        ((p->diff_ratio * p->diff_ratio) * (p->cardan2_flange2_equivalent_stiffness *
-        p->flange1_cardan1_equivalent_stiffness - (p->flange1_cardan1_cardan2_flange2_equivalent_stiffness *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness)));
-    s->M3_twist_M3_M2_speed = p->cardan2_flange2_equivalent_stiffness * (p->cardan2_flange2_equivalent_stiffness +
-        p->diff_ratio * p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) / ((p->diff_ratio * p->diff_ratio)
-        * (p->cardan2_flange2_equivalent_stiffness * p->flange1_cardan1_equivalent_stiffness -
-        (p->flange1_cardan1_cardan2_flange2_equivalent_stiffness *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness)));
-    s->M3_twist_M3_M3_speed = -p->cardan2_flange2_equivalent_stiffness * (p->cardan2_flange2_equivalent_stiffness +
-        (p->diff_ratio * p->diff_ratio) * p->flange1_cardan1_equivalent_stiffness + 2.0 * p->diff_ratio *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) / ((p->diff_ratio * p->diff_ratio) *
-        (p->cardan2_flange2_equivalent_stiffness * p->flange1_cardan1_equivalent_stiffness -
-        (p->flange1_cardan1_cardan2_flange2_equivalent_stiffness *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness)));
+    s->M3_share_M2 = -p->M2_M3_equivalent_stiffness * p->M2_equivalent_stiffness * p->M3_inertia_estimate /
+        (p->M2_inertia_estimate * ((p->M2_M3_equivalent_stiffness * p->M2_M3_equivalent_stiffness) -
+        p->M2_equivalent_stiffness * p->M3_equivalent_stiffness));
+    s->M3_share_M3 = p->M2_equivalent_stiffness * p->M3_equivalent_stiffness / ((p->M2_M3_equivalent_stiffness *
+        p->M2_M3_equivalent_stiffness) - p->M2_equivalent_stiffness * p->M3_equivalent_stiffness);
+    s->M3_from_flange2_torque = p->M2_M3_equivalent_stiffness * p->M2_equivalent_stiffness * p->M3_inertia_estimate
+        / (p->M2_inertia_estimate * ((p->M2_M3_equivalent_stiffness * p->M2_M3_equivalent_stiffness) -
+        p->M2_equivalent_stiffness * p->M3_equivalent_stiffness));
+    s->M3_from_flange3_torque = -(p->M2_M3_equivalent_stiffness * p->M2_M3_equivalent_stiffness) /
+        ((p->M2_M3_equivalent_stiffness * p->M2_M3_equivalent_stiffness) - p->M2_equivalent_stiffness *
+        p->M3_equivalent_stiffness);
+    s->M3_twist_M1_speed = p->M2_M3_equivalent_stiffness * p->M3_inertia_estimate * (p->M2_M3_equivalent_stiffness +
+        p->M2_equivalent_stiffness) / (p->M2_inertia_estimate * p->diff_ratio * ((p->M2_M3_equivalent_stiffness *
+        p->M2_M3_equivalent_stiffness) - p->M2_equivalent_stiffness * p->M3_equivalent_stiffness));
+    s->M3_twist_M2_speed = -p->M2_M3_equivalent_stiffness * p->M2_equivalent_stiffness * p->M3_inertia_estimate /
+        (p->M2_inertia_estimate * ((p->M2_M3_equivalent_stiffness * p->M2_M3_equivalent_stiffness) -
+        p->M2_equivalent_stiffness * p->M3_equivalent_stiffness));
+    s->M3_twist_M3_speed = -(p->M2_M3_equivalent_stiffness * p->M2_M3_equivalent_stiffness) * p->M3_inertia_estimate
+        / (p->M2_inertia_estimate * ((p->M2_M3_equivalent_stiffness * p->M2_M3_equivalent_stiffness) -
+        p->M2_equivalent_stiffness * p->M3_equivalent_stiffness));
     s->M3_torque_growth = p->M3_torque_integral_gain * p->sample_time;
-    s->M3_share = -p->cardan2_flange2_equivalent_stiffness * (p->cardan2_flange2_equivalent_stiffness +
-        (p->diff_ratio * p->diff_ratio) * p->flange1_cardan1_equivalent_stiffness + 2.0 * p->diff_ratio *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) / ((p->diff_ratio * p->diff_ratio) *
-        (p->cardan2_flange2_equivalent_stiffness * p->flange1_cardan1_equivalent_stiffness -
-        (p->flange1_cardan1_cardan2_flange2_equivalent_stiffness *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness)));
+    s->M3_share = p->M2_equivalent_stiffness * p->M3_equivalent_stiffness / ((p->M2_M3_equivalent_stiffness *
+        p->M2_M3_equivalent_stiffness) - p->M2_equivalent_stiffness * p->M3_equivalent_stiffness);
     s->M1_largest = 1.01 * centre_differential_locked_min(930.0, p->M1_torque_max);
     s->M2_largest = 1.01 * centre_differential_locked_min(1200.0, p->M2_torque_max);
     s->M3_largest = 1.01 * centre_differential_locked_min(1200.0, p->M3_torque_max);
@@ -801,9 +699,8 @@ centre_differential_locked_controller_status centre_differential_locked_controll
     /* speed from the torques on the rotor */
     const centre_differential_locked_real M2_integrated_before = centre_differential_locked_select(s->running > 0.5,
         s->M2_integrated, s->M2_speed_held);
-    s->M2_integrated = M2_integrated_before + s->M2_per_step * (M2_applied * s->M2_balance_share +
-        s->M2_balance_flange2_torque * s->flange2_torque_held) + s->disagreement_share * (-M2_integrated_before +
-        s->M2_speed_held);
+    s->M2_integrated = M2_integrated_before + s->M2_per_step * (M2_applied + s->flange2_torque_held) +
+        s->disagreement_share * (-M2_integrated_before + s->M2_speed_held);
     const centre_differential_locked_real M2_difference = centre_differential_locked_abs(s->M2_integrated -
         s->M2_speed_held);
     /* speed against torques */
@@ -837,9 +734,8 @@ centre_differential_locked_controller_status centre_differential_locked_controll
     /* speed from the torques on the rotor */
     const centre_differential_locked_real M3_integrated_before = centre_differential_locked_select(s->running > 0.5,
         s->M3_integrated, s->M3_speed_held);
-    s->M3_integrated = M3_integrated_before + s->M3_per_step * (M3_applied * s->M3_balance_share +
-        s->M3_balance_flange3_torque * s->flange3_torque_held) + s->disagreement_share * (-M3_integrated_before +
-        s->M3_speed_held);
+    s->M3_integrated = M3_integrated_before + s->M3_per_step * (M3_applied + s->flange3_torque_held) +
+        s->disagreement_share * (-M3_integrated_before + s->M3_speed_held);
     const centre_differential_locked_real M3_difference = centre_differential_locked_abs(s->M3_integrated -
         s->M3_speed_held);
     /* speed against torques */
@@ -1037,7 +933,7 @@ centre_differential_locked_controller_status centre_differential_locked_controll
     const centre_differential_locked_real M2_twist_rate_M3 = s->M1_speed_held * s->M2_twist_M3_M1_speed +
         s->M2_speed_held * s->M2_twist_M3_M2_speed + s->M2_twist_M3_M3_speed * s->M3_speed_held;
     const centre_differential_locked_real M2_damping_torque = s->M2_damping_now * M2_twist_rate_M2 +
-        s->M2_from_flange1_torque * s->flange1_torque_held + s->M2_from_flange2_torque * s->flange2_torque_held +
+        s->M2_from_flange2_torque * s->flange2_torque_held + s->M2_from_flange3_torque * s->flange3_torque_held +
         M2_twist_rate_M3 * s->M3_damping_now;
     /* with the acceleration torque (5.62), (5.78) */
     const centre_differential_locked_real M2_wanted = M1_net * s->M2_with_M1 * s->acceleration_torque_now +
@@ -1059,7 +955,7 @@ centre_differential_locked_controller_status centre_differential_locked_controll
     const centre_differential_locked_real M3_twist_rate_M3 = s->M1_speed_held * s->M3_twist_M3_M1_speed +
         s->M2_speed_held * s->M3_twist_M3_M2_speed + s->M3_speed_held * s->M3_twist_M3_M3_speed;
     const centre_differential_locked_real M3_damping_torque = s->M2_damping_now * M3_twist_rate_M2 +
-        s->M3_damping_now * M3_twist_rate_M3 + s->M3_from_flange1_torque * s->flange1_torque_held +
+        s->M3_damping_now * M3_twist_rate_M3 + s->M3_from_flange2_torque * s->flange2_torque_held +
         s->M3_from_flange3_torque * s->flange3_torque_held;
     /* with the acceleration torque (5.62), (5.78) */
     const centre_differential_locked_real M3_wanted = M1_net * s->M3_with_M1 * s->acceleration_torque_now +

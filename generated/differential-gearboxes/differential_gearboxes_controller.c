@@ -17,6 +17,7 @@ const differential_gearboxes_controller_params differential_gearboxes_controller
     .M2_speed_ref_plausible = 942.4777960769385,
     .M3_speed_ref_plausible = 942.4777960769385,
     .M1_speed_plausible = 942.4777960769385,
+    .flange1_torque_plausible = 18500.0,
     .flange2_torque_plausible = 20500.0,
     .M2_speed_plausible = 942.4777960769385,
     .flange3_torque_plausible = 20500.0,
@@ -41,14 +42,18 @@ const differential_gearboxes_controller_params differential_gearboxes_controller
     .M3_speed_taper = 31.4159,
     .M3_torque_max = 3700.0,
     .disagreement_leak = 5.0,
+    .M1_inertia = 3.25,
+    .M1_disagreement_limit = 45.5,
+    .M1_frozen_limit = 11.4,
+    .frozen_time = 0.01,
     .M2_inertia = 10.3,
     .M2_disagreement_limit = 18.8,
     .M2_frozen_limit = 4.7,
-    .frozen_time = 0.01,
     .M3_inertia = 10.3,
     .M3_disagreement_limit = 18.8,
     .M3_frozen_limit = 4.7,
     .oscillation_frequency = 0.941,
+    .flange1_torque_oscillation_limit = 3700.0,
     .flange2_torque_oscillation_limit = 3700.0,
     .flange3_torque_oscillation_limit = 3700.0,
     .M1_torque_ref_oscillation_limit = 1850.0,
@@ -88,6 +93,7 @@ const differential_gearboxes_controller_params differential_gearboxes_controller
     .M2_speed_ref_plausible = 942.4777960769385,
     .M3_speed_ref_plausible = 942.4777960769385,
     .M1_speed_plausible = 942.4777960769385,
+    .flange1_torque_plausible = 18500.0,
     .flange2_torque_plausible = 20500.0,
     .M2_speed_plausible = 942.4777960769385,
     .flange3_torque_plausible = 20500.0,
@@ -112,14 +118,18 @@ const differential_gearboxes_controller_params differential_gearboxes_controller
     .M3_speed_taper = 31.4159,
     .M3_torque_max = 3700.0,
     .disagreement_leak = 5.0,
+    .M1_inertia = 3.25,
+    .M1_disagreement_limit = 45.5,
+    .M1_frozen_limit = 11.4,
+    .frozen_time = 0.01,
     .M2_inertia = 10.3,
     .M2_disagreement_limit = 18.8,
     .M2_frozen_limit = 4.7,
-    .frozen_time = 0.01,
     .M3_inertia = 10.3,
     .M3_disagreement_limit = 18.8,
     .M3_frozen_limit = 4.7,
     .oscillation_frequency = 0.941,
+    .flange1_torque_oscillation_limit = 3700.0,
     .flange2_torque_oscillation_limit = 3700.0,
     .flange3_torque_oscillation_limit = 3700.0,
     .M1_torque_ref_oscillation_limit = 1850.0,
@@ -167,6 +177,7 @@ static const struct {
     { "the parameter M2_speed_ref_plausible is outside its range", offsetof(differential_gearboxes_controller_params, M2_speed_ref_plausible), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M3_speed_ref_plausible is outside its range", offsetof(differential_gearboxes_controller_params, M3_speed_ref_plausible), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M1_speed_plausible is outside its range", offsetof(differential_gearboxes_controller_params, M1_speed_plausible), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter flange1_torque_plausible is outside its range", offsetof(differential_gearboxes_controller_params, flange1_torque_plausible), 0.0, DBL_MAX, 1, 0 },
     { "the parameter flange2_torque_plausible is outside its range", offsetof(differential_gearboxes_controller_params, flange2_torque_plausible), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M2_speed_plausible is outside its range", offsetof(differential_gearboxes_controller_params, M2_speed_plausible), 0.0, DBL_MAX, 1, 0 },
     { "the parameter flange3_torque_plausible is outside its range", offsetof(differential_gearboxes_controller_params, flange3_torque_plausible), 0.0, DBL_MAX, 1, 0 },
@@ -191,14 +202,18 @@ static const struct {
     { "the parameter M3_speed_taper is outside its range", offsetof(differential_gearboxes_controller_params, M3_speed_taper), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M3_torque_max is outside its range", offsetof(differential_gearboxes_controller_params, M3_torque_max), 0.0, 3700.0, 1, 0 },
     { "the parameter disagreement_leak is outside its range", offsetof(differential_gearboxes_controller_params, disagreement_leak), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter M1_inertia is outside its range", offsetof(differential_gearboxes_controller_params, M1_inertia), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_disagreement_limit is outside its range", offsetof(differential_gearboxes_controller_params, M1_disagreement_limit), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_frozen_limit is outside its range", offsetof(differential_gearboxes_controller_params, M1_frozen_limit), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter frozen_time is outside its range", offsetof(differential_gearboxes_controller_params, frozen_time), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M2_inertia is outside its range", offsetof(differential_gearboxes_controller_params, M2_inertia), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M2_disagreement_limit is outside its range", offsetof(differential_gearboxes_controller_params, M2_disagreement_limit), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M2_frozen_limit is outside its range", offsetof(differential_gearboxes_controller_params, M2_frozen_limit), 0.0, DBL_MAX, 1, 0 },
-    { "the parameter frozen_time is outside its range", offsetof(differential_gearboxes_controller_params, frozen_time), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M3_inertia is outside its range", offsetof(differential_gearboxes_controller_params, M3_inertia), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M3_disagreement_limit is outside its range", offsetof(differential_gearboxes_controller_params, M3_disagreement_limit), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M3_frozen_limit is outside its range", offsetof(differential_gearboxes_controller_params, M3_frozen_limit), 0.0, DBL_MAX, 1, 0 },
     { "the parameter oscillation_frequency is outside its range", offsetof(differential_gearboxes_controller_params, oscillation_frequency), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter flange1_torque_oscillation_limit is outside its range", offsetof(differential_gearboxes_controller_params, flange1_torque_oscillation_limit), 0.0, DBL_MAX, 1, 0 },
     { "the parameter flange2_torque_oscillation_limit is outside its range", offsetof(differential_gearboxes_controller_params, flange2_torque_oscillation_limit), 0.0, DBL_MAX, 1, 0 },
     { "the parameter flange3_torque_oscillation_limit is outside its range", offsetof(differential_gearboxes_controller_params, flange3_torque_oscillation_limit), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M1_torque_ref_oscillation_limit is outside its range", offsetof(differential_gearboxes_controller_params, M1_torque_ref_oscillation_limit), 0.0, DBL_MAX, 1, 0 },
@@ -245,6 +260,8 @@ const char *differential_gearboxes_controller_status_text(differential_gearboxes
         return "M3_speed_ref: not finite or not plausible";
     case differential_gearboxes_controller_fault_M1_speed:
         return "M1_speed: not finite or not plausible";
+    case differential_gearboxes_controller_fault_flange1_torque:
+        return "flange1_torque: not finite or not plausible";
     case differential_gearboxes_controller_fault_flange2_torque:
         return "flange2_torque: not finite or not plausible";
     case differential_gearboxes_controller_fault_M2_speed:
@@ -259,6 +276,12 @@ const char *differential_gearboxes_controller_status_text(differential_gearboxes
         return "M2_speed: overspeed";
     case differential_gearboxes_controller_fault_M3_speed_overspeed:
         return "M3_speed: overspeed";
+    case differential_gearboxes_controller_fault_M1_speed_frozen:
+        return "M1_speed: frozen while the torques accelerate the machine";
+    case differential_gearboxes_controller_fault_M1_speed_disagreement:
+        return "M1_speed: disagrees with the integrated torque";
+    case differential_gearboxes_controller_fault_flange1_torque_frozen:
+        return "flange1_torque: frozen while the torque of the machine changes";
     case differential_gearboxes_controller_fault_M2_speed_frozen:
         return "M2_speed: frozen while the torques accelerate the machine";
     case differential_gearboxes_controller_fault_M2_speed_disagreement:
@@ -271,6 +294,8 @@ const char *differential_gearboxes_controller_status_text(differential_gearboxes
         return "M3_speed: disagrees with the integrated torque";
     case differential_gearboxes_controller_fault_flange3_torque_frozen:
         return "flange3_torque: frozen while the torque of the machine changes";
+    case differential_gearboxes_controller_fault_flange1_torque_oscillation:
+        return "flange1_torque: oscillates beyond its limit";
     case differential_gearboxes_controller_fault_flange2_torque_oscillation:
         return "flange2_torque: oscillates beyond its limit";
     case differential_gearboxes_controller_fault_flange3_torque_oscillation:
@@ -302,6 +327,7 @@ differential_gearboxes_controller_status differential_gearboxes_controller_init(
     s->M2_speed_ref_bad_time = 1e+30;
     s->M3_speed_ref_bad_time = 1e+30;
     s->M1_speed_bad_time = 1e+30;
+    s->flange1_torque_bad_time = 1e+30;
     s->flange2_torque_bad_time = 1e+30;
     s->M2_speed_bad_time = 1e+30;
     s->flange3_torque_bad_time = 1e+30;
@@ -333,6 +359,7 @@ differential_gearboxes_controller_status differential_gearboxes_controller_updat
     s->M3_taper_slope = 1.0 / p->M3_speed_taper;
     s->M3_taper_end = p->M3_speed_max / p->M3_speed_taper + 1.0;
     s->disagreement_share = p->disagreement_leak * p->sample_time;
+    s->M1_per_step = p->sample_time / p->M1_inertia;
     s->M2_per_step = p->sample_time / p->M2_inertia;
     s->M3_per_step = p->sample_time / p->M3_inertia;
     s->forgotten_swings = p->oscillation_frequency * p->sample_time;
@@ -403,6 +430,14 @@ differential_gearboxes_controller_status differential_gearboxes_controller_step(
         &s->M1_speed_bad_time, &M1_speed_lost);
     const differential_gearboxes_real cause_fault_M1_speed = differential_gearboxes_select(M1_speed_lost > 0.0, 4.0,
         9999.0);
+    differential_gearboxes_real flange1_torque_sound;
+    differential_gearboxes_guard(in->flange1_torque, p->flange1_torque_plausible, s->flange1_torque_held,
+        &s->flange1_torque_held, &flange1_torque_sound);
+    differential_gearboxes_real flange1_torque_lost;
+    differential_gearboxes_lasting(flange1_torque_sound, s->flange1_torque_bad_time, p->sample_time, p->hold_time,
+        &s->flange1_torque_bad_time, &flange1_torque_lost);
+    const differential_gearboxes_real cause_fault_flange1_torque = differential_gearboxes_select(flange1_torque_lost
+        > 0.0, 5.0, 9999.0);
     differential_gearboxes_real flange2_torque_sound;
     differential_gearboxes_guard(in->flange2_torque, p->flange2_torque_plausible, s->flange2_torque_held,
         &s->flange2_torque_held, &flange2_torque_sound);
@@ -410,14 +445,14 @@ differential_gearboxes_controller_status differential_gearboxes_controller_step(
     differential_gearboxes_lasting(flange2_torque_sound, s->flange2_torque_bad_time, p->sample_time, p->hold_time,
         &s->flange2_torque_bad_time, &flange2_torque_lost);
     const differential_gearboxes_real cause_fault_flange2_torque = differential_gearboxes_select(flange2_torque_lost
-        > 0.0, 5.0, 9999.0);
+        > 0.0, 6.0, 9999.0);
     differential_gearboxes_real M2_speed_sound;
     differential_gearboxes_guard(in->M2_speed, p->M2_speed_plausible, s->M2_speed_held, &s->M2_speed_held,
         &M2_speed_sound);
     differential_gearboxes_real M2_speed_lost;
     differential_gearboxes_lasting(M2_speed_sound, s->M2_speed_bad_time, p->sample_time, p->hold_time,
         &s->M2_speed_bad_time, &M2_speed_lost);
-    const differential_gearboxes_real cause_fault_M2_speed = differential_gearboxes_select(M2_speed_lost > 0.0, 6.0,
+    const differential_gearboxes_real cause_fault_M2_speed = differential_gearboxes_select(M2_speed_lost > 0.0, 7.0,
         9999.0);
     differential_gearboxes_real flange3_torque_sound;
     differential_gearboxes_guard(in->flange3_torque, p->flange3_torque_plausible, s->flange3_torque_held,
@@ -426,14 +461,14 @@ differential_gearboxes_controller_status differential_gearboxes_controller_step(
     differential_gearboxes_lasting(flange3_torque_sound, s->flange3_torque_bad_time, p->sample_time, p->hold_time,
         &s->flange3_torque_bad_time, &flange3_torque_lost);
     const differential_gearboxes_real cause_fault_flange3_torque = differential_gearboxes_select(flange3_torque_lost
-        > 0.0, 7.0, 9999.0);
+        > 0.0, 8.0, 9999.0);
     differential_gearboxes_real M3_speed_sound;
     differential_gearboxes_guard(in->M3_speed, p->M3_speed_plausible, s->M3_speed_held, &s->M3_speed_held,
         &M3_speed_sound);
     differential_gearboxes_real M3_speed_lost;
     differential_gearboxes_lasting(M3_speed_sound, s->M3_speed_bad_time, p->sample_time, p->hold_time,
         &s->M3_speed_bad_time, &M3_speed_lost);
-    const differential_gearboxes_real cause_fault_M3_speed = differential_gearboxes_select(M3_speed_lost > 0.0, 8.0,
+    const differential_gearboxes_real cause_fault_M3_speed = differential_gearboxes_select(M3_speed_lost > 0.0, 9.0,
         9999.0);
     /* overspeed */
     const differential_gearboxes_real M1_slow_enough = differential_gearboxes_select(p->M1_overspeed >=
@@ -449,14 +484,14 @@ differential_gearboxes_controller_status differential_gearboxes_controller_step(
     differential_gearboxes_lasting(M2_slow_enough, s->M2_overspeed_time, p->sample_time, p->hold_time,
         &s->M2_overspeed_time, &M2_too_fast);
     const differential_gearboxes_real cause_fault_M2_speed_overspeed = differential_gearboxes_select(M2_too_fast >
-        0.0, 4006.0, 9999.0);
+        0.0, 4007.0, 9999.0);
     const differential_gearboxes_real M3_slow_enough = differential_gearboxes_select(p->M3_overspeed >=
         differential_gearboxes_abs(s->M3_speed_held), 1.0, 0.0);
     differential_gearboxes_real M3_too_fast;
     differential_gearboxes_lasting(M3_slow_enough, s->M3_overspeed_time, p->sample_time, p->hold_time,
         &s->M3_overspeed_time, &M3_too_fast);
     const differential_gearboxes_real cause_fault_M3_speed_overspeed = differential_gearboxes_select(M3_too_fast >
-        0.0, 4008.0, 9999.0);
+        0.0, 4009.0, 9999.0);
     /* reset on request, when the cause is gone */
     const differential_gearboxes_real reset_pressed =
         differential_gearboxes_select(differential_gearboxes_abs(in->reset - 1.0) <= 0.5, 1.0, 0.0);
@@ -465,8 +500,8 @@ differential_gearboxes_controller_status differential_gearboxes_controller_step(
         M1_speed_sound), differential_gearboxes_min(M2_slow_enough, M2_speed_ref_sound)),
         differential_gearboxes_min(differential_gearboxes_min(M2_speed_sound, M3_slow_enough),
         differential_gearboxes_min(M3_speed_ref_sound, M3_speed_sound))),
-        differential_gearboxes_min(differential_gearboxes_min(diff_outputs_torque_ref_sound, flange2_torque_sound),
-        flange3_torque_sound));
+        differential_gearboxes_min(differential_gearboxes_min(diff_outputs_torque_ref_sound, flange1_torque_sound),
+        differential_gearboxes_min(flange2_torque_sound, flange3_torque_sound)));
     const differential_gearboxes_real latched = differential_gearboxes_select(s->fault > 0.5, 1.0, 0.0);
     s->reset_request = inputs_sound * latched * (1.0 - s->refused) * differential_gearboxes_max(s->reset_request,
         -s->reset_before + reset_pressed);
@@ -481,7 +516,8 @@ differential_gearboxes_controller_status differential_gearboxes_controller_step(
         differential_gearboxes_min(differential_gearboxes_min(cause_fault_M2_speed_ref, cause_fault_M3_speed),
         differential_gearboxes_min(cause_fault_M3_speed_overspeed, cause_fault_M3_speed_ref))),
         differential_gearboxes_min(differential_gearboxes_min(cause_fault_diff_outputs_torque_ref,
-        cause_fault_flange2_torque), cause_fault_flange3_torque));
+        cause_fault_flange1_torque), differential_gearboxes_min(cause_fault_flange2_torque,
+        cause_fault_flange3_torque)));
     s->fault = differential_gearboxes_select(s->fault > 0.5, s->fault, differential_gearboxes_select(cause_of_inputs
         > 9998.0, 0.0, cause_of_inputs));
     /* load_compensation follows its parameter along a ramp */
@@ -554,6 +590,38 @@ differential_gearboxes_controller_status differential_gearboxes_controller_step(
     const differential_gearboxes_real M2_applied = s->M2_last * s->authority;
     const differential_gearboxes_real M3_applied = s->M3_last * s->authority;
     /* speed from the torques on the rotor */
+    const differential_gearboxes_real M1_integrated_before = differential_gearboxes_select(s->running > 0.5,
+        s->M1_integrated, s->M1_speed_held);
+    s->M1_integrated = M1_integrated_before + s->M1_per_step * (M1_applied - s->flange1_torque_held) +
+        s->disagreement_share * (-M1_integrated_before + s->M1_speed_held);
+    const differential_gearboxes_real M1_difference = differential_gearboxes_abs(s->M1_integrated -
+        s->M1_speed_held);
+    /* speed against torques */
+    const differential_gearboxes_real M1_agrees = differential_gearboxes_select(M1_difference <=
+        p->M1_disagreement_limit, 1.0, 0.0);
+    differential_gearboxes_real M1_disagrees;
+    differential_gearboxes_lasting(M1_agrees, s->M1_disagreement_time, p->sample_time, p->hold_time,
+        &s->M1_disagreement_time, &M1_disagrees);
+    /* M1_speed to the last bit */
+    differential_gearboxes_still(s->M1_speed_held, s->M1_speed_before, s->M1_speed_still_time, p->sample_time,
+        &s->M1_speed_still_time);
+    s->M1_speed_before = s->M1_speed_held;
+    const differential_gearboxes_real cause_fault_M1_speed_frozen =
+        differential_gearboxes_select(differential_gearboxes_min(M1_difference - p->M1_frozen_limit,
+        s->M1_speed_still_time - p->frozen_time) > 0.0, 3004.0, 9999.0);
+    const differential_gearboxes_real cause_fault_M1_speed_disagreement = differential_gearboxes_select(M1_disagrees
+        > 0.0, 5004.0, 9999.0);
+    /* flange1_torque to the last bit */
+    differential_gearboxes_still(s->flange1_torque_held, s->flange1_torque_before, s->flange1_torque_still_time,
+        p->sample_time, &s->flange1_torque_still_time);
+    s->flange1_torque_before = s->flange1_torque_held;
+    s->flange1_torque_command = differential_gearboxes_select(s->flange1_torque_still_time > 0.0,
+        s->flange1_torque_command, M1_applied);
+    const differential_gearboxes_real cause_fault_flange1_torque_frozen =
+        differential_gearboxes_select(differential_gearboxes_min(differential_gearboxes_min(M1_difference -
+        p->M1_frozen_limit, s->flange1_torque_still_time - p->frozen_time), -0.05 * p->M1_torque_max +
+        differential_gearboxes_abs(M1_applied - s->flange1_torque_command)) > 0.0, 3005.0, 9999.0);
+    /* speed from the torques on the rotor */
     const differential_gearboxes_real M2_integrated_before = differential_gearboxes_select(s->running > 0.5,
         s->M2_integrated, s->M2_speed_held);
     s->M2_integrated = M2_integrated_before + s->M2_per_step * (M2_applied + s->flange2_torque_held) +
@@ -573,9 +641,9 @@ differential_gearboxes_controller_status differential_gearboxes_controller_step(
     s->M2_speed_before = s->M2_speed_held;
     const differential_gearboxes_real cause_fault_M2_speed_frozen =
         differential_gearboxes_select(differential_gearboxes_min(M2_difference - p->M2_frozen_limit,
-        s->M2_speed_still_time - p->frozen_time) > 0.0, 3006.0, 9999.0);
+        s->M2_speed_still_time - p->frozen_time) > 0.0, 3007.0, 9999.0);
     const differential_gearboxes_real cause_fault_M2_speed_disagreement = differential_gearboxes_select(M2_disagrees
-        > 0.0, 5006.0, 9999.0);
+        > 0.0, 5007.0, 9999.0);
     /* flange2_torque to the last bit */
     s->flange2_torque_still_time = differential_gearboxes_select(s->running > 0.5, s->flange2_torque_still_time,
         0.0);
@@ -587,7 +655,7 @@ differential_gearboxes_controller_status differential_gearboxes_controller_step(
     const differential_gearboxes_real cause_fault_flange2_torque_frozen =
         differential_gearboxes_select(differential_gearboxes_min(differential_gearboxes_min(M2_difference -
         p->M2_frozen_limit, s->flange2_torque_still_time - p->frozen_time), -0.05 * p->M2_torque_max +
-        differential_gearboxes_abs(M2_applied - s->flange2_torque_command)) > 0.0, 3005.0, 9999.0);
+        differential_gearboxes_abs(M2_applied - s->flange2_torque_command)) > 0.0, 3006.0, 9999.0);
     /* speed from the torques on the rotor */
     const differential_gearboxes_real M3_integrated_before = differential_gearboxes_select(s->running > 0.5,
         s->M3_integrated, s->M3_speed_held);
@@ -608,9 +676,9 @@ differential_gearboxes_controller_status differential_gearboxes_controller_step(
     s->M3_speed_before = s->M3_speed_held;
     const differential_gearboxes_real cause_fault_M3_speed_frozen =
         differential_gearboxes_select(differential_gearboxes_min(M3_difference - p->M3_frozen_limit,
-        s->M3_speed_still_time - p->frozen_time) > 0.0, 3008.0, 9999.0);
+        s->M3_speed_still_time - p->frozen_time) > 0.0, 3009.0, 9999.0);
     const differential_gearboxes_real cause_fault_M3_speed_disagreement = differential_gearboxes_select(M3_disagrees
-        > 0.0, 5008.0, 9999.0);
+        > 0.0, 5009.0, 9999.0);
     /* flange3_torque to the last bit */
     s->flange3_torque_still_time = differential_gearboxes_select(s->running > 0.5, s->flange3_torque_still_time,
         0.0);
@@ -622,7 +690,17 @@ differential_gearboxes_controller_status differential_gearboxes_controller_step(
     const differential_gearboxes_real cause_fault_flange3_torque_frozen =
         differential_gearboxes_select(differential_gearboxes_min(differential_gearboxes_min(M3_difference -
         p->M3_frozen_limit, s->flange3_torque_still_time - p->frozen_time), -0.05 * p->M3_torque_max +
-        differential_gearboxes_abs(M3_applied - s->flange3_torque_command)) > 0.0, 3007.0, 9999.0);
+        differential_gearboxes_abs(M3_applied - s->flange3_torque_command)) > 0.0, 3008.0, 9999.0);
+    /* oscillation of flange1_torque */
+    const differential_gearboxes_real flange1_torque_mean_before = differential_gearboxes_select(s->running > 0.5,
+        s->flange1_torque_mean, s->flange1_torque_held);
+    const differential_gearboxes_real flange1_torque_swing = s->flange1_torque_held - flange1_torque_mean_before;
+    s->flange1_torque_mean = flange1_torque_mean_before + flange1_torque_swing * s->mean_share;
+    s->flange1_torque_swings = differential_gearboxes_select(s->running > 0.5, s->flange1_torque_swings, 0.0);
+    differential_gearboxes_swings(flange1_torque_swing, p->flange1_torque_oscillation_limit, s->flange1_torque_side,
+        s->flange1_torque_swings, s->forgotten_swings, &s->flange1_torque_side, &s->flange1_torque_swings);
+    const differential_gearboxes_real cause_fault_flange1_torque_oscillation =
+        differential_gearboxes_select(s->flange1_torque_swings - 5.5 > 0.0, 6005.0, 9999.0);
     /* oscillation of flange2_torque */
     const differential_gearboxes_real flange2_torque_mean_before = differential_gearboxes_select(s->running > 0.5,
         s->flange2_torque_mean, s->flange2_torque_held);
@@ -632,7 +710,7 @@ differential_gearboxes_controller_status differential_gearboxes_controller_step(
     differential_gearboxes_swings(flange2_torque_swing, p->flange2_torque_oscillation_limit, s->flange2_torque_side,
         s->flange2_torque_swings, s->forgotten_swings, &s->flange2_torque_side, &s->flange2_torque_swings);
     const differential_gearboxes_real cause_fault_flange2_torque_oscillation =
-        differential_gearboxes_select(s->flange2_torque_swings - 5.5 > 0.0, 6005.0, 9999.0);
+        differential_gearboxes_select(s->flange2_torque_swings - 5.5 > 0.0, 6006.0, 9999.0);
     /* oscillation of flange3_torque */
     const differential_gearboxes_real flange3_torque_mean_before = differential_gearboxes_select(s->running > 0.5,
         s->flange3_torque_mean, s->flange3_torque_held);
@@ -642,7 +720,7 @@ differential_gearboxes_controller_status differential_gearboxes_controller_step(
     differential_gearboxes_swings(flange3_torque_swing, p->flange3_torque_oscillation_limit, s->flange3_torque_side,
         s->flange3_torque_swings, s->forgotten_swings, &s->flange3_torque_side, &s->flange3_torque_swings);
     const differential_gearboxes_real cause_fault_flange3_torque_oscillation =
-        differential_gearboxes_select(s->flange3_torque_swings - 5.5 > 0.0, 6007.0, 9999.0);
+        differential_gearboxes_select(s->flange3_torque_swings - 5.5 > 0.0, 6008.0, 9999.0);
     /* oscillation of M1_torque_ref */
     const differential_gearboxes_real M1_torque_ref_mean_before = differential_gearboxes_select(s->running > 0.5,
         s->M1_torque_ref_mean, 0.0);
@@ -675,14 +753,17 @@ differential_gearboxes_controller_status differential_gearboxes_controller_step(
         differential_gearboxes_select(s->M3_torque_ref_swings - 5.5 > 0.0, 8003.0, 9999.0);
     /* the first fault is latched */
     const differential_gearboxes_real cause_of_watching =
-        differential_gearboxes_min(differential_gearboxes_min(differential_gearboxes_min(differential_gearboxes_min(cause_fault_M1_torque_ref_oscillation,
-        cause_fault_M2_speed_disagreement), differential_gearboxes_min(cause_fault_M2_speed_frozen,
-        cause_fault_M2_torque_ref_oscillation)),
-        differential_gearboxes_min(differential_gearboxes_min(cause_fault_M3_speed_disagreement,
-        cause_fault_M3_speed_frozen), differential_gearboxes_min(cause_fault_M3_torque_ref_oscillation,
-        cause_fault_flange2_torque_frozen))),
+        differential_gearboxes_min(differential_gearboxes_min(differential_gearboxes_min(differential_gearboxes_min(cause_fault_M1_speed_disagreement,
+        cause_fault_M1_speed_frozen), differential_gearboxes_min(cause_fault_M1_torque_ref_oscillation,
+        cause_fault_M2_speed_disagreement)),
+        differential_gearboxes_min(differential_gearboxes_min(cause_fault_M2_speed_frozen,
+        cause_fault_M2_torque_ref_oscillation), differential_gearboxes_min(cause_fault_M3_speed_disagreement,
+        cause_fault_M3_speed_frozen))),
+        differential_gearboxes_min(differential_gearboxes_min(differential_gearboxes_min(cause_fault_M3_torque_ref_oscillation,
+        cause_fault_flange1_torque_frozen), differential_gearboxes_min(cause_fault_flange1_torque_oscillation,
+        cause_fault_flange2_torque_frozen)),
         differential_gearboxes_min(differential_gearboxes_min(cause_fault_flange2_torque_oscillation,
-        cause_fault_flange3_torque_frozen), cause_fault_flange3_torque_oscillation));
+        cause_fault_flange3_torque_frozen), cause_fault_flange3_torque_oscillation)));
     s->fault = differential_gearboxes_select(s->fault > 0.5, s->fault,
         differential_gearboxes_select(cause_of_watching > 9998.0, 0.0, cause_of_watching));
     /* limit of the rate */

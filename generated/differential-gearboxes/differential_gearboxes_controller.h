@@ -18,6 +18,7 @@ typedef struct {
     differential_gearboxes_real M2_speed_ref_plausible; /* largest plausible M2_speed_ref (rad/s) */
     differential_gearboxes_real M3_speed_ref_plausible; /* largest plausible M3_speed_ref (rad/s) */
     differential_gearboxes_real M1_speed_plausible; /* largest plausible M1_speed (rad/s) */
+    differential_gearboxes_real flange1_torque_plausible; /* largest plausible flange1_torque (N m) */
     differential_gearboxes_real flange2_torque_plausible; /* largest plausible flange2_torque (N m) */
     differential_gearboxes_real M2_speed_plausible; /* largest plausible M2_speed (rad/s) */
     differential_gearboxes_real flange3_torque_plausible; /* largest plausible flange3_torque (N m) */
@@ -42,14 +43,18 @@ typedef struct {
     differential_gearboxes_real M3_speed_taper; /* speed above M3_speed_max over which accelerating torque is taken back (rad/s) */
     differential_gearboxes_real M3_torque_max; /* largest air-gap torque up to the rated speed (N m) */
     differential_gearboxes_real disagreement_leak; /* rate at which the integrated speeds forget (1/s) */
+    differential_gearboxes_real M1_inertia; /* moment of inertia of the rotor (kg m^2) */
+    differential_gearboxes_real M1_disagreement_limit; /* largest difference between measured and integrated speed of M1 (rad/s) */
+    differential_gearboxes_real M1_frozen_limit; /* the same while a signal of M1 stays the same to the last bit (rad/s) */
+    differential_gearboxes_real frozen_time; /* for how long a frozen signal stays the same (s) */
     differential_gearboxes_real M2_inertia; /* moment of inertia of the rotor (kg m^2) */
     differential_gearboxes_real M2_disagreement_limit; /* largest difference between measured and integrated speed of M2 (rad/s) */
     differential_gearboxes_real M2_frozen_limit; /* the same while a signal of M2 stays the same to the last bit (rad/s) */
-    differential_gearboxes_real frozen_time; /* for how long a frozen signal stays the same (s) */
     differential_gearboxes_real M3_inertia; /* moment of inertia of the rotor (kg m^2) */
     differential_gearboxes_real M3_disagreement_limit; /* largest difference between measured and integrated speed of M3 (rad/s) */
     differential_gearboxes_real M3_frozen_limit; /* the same while a signal of M3 stays the same to the last bit (rad/s) */
     differential_gearboxes_real oscillation_frequency; /* slowest oscillation of a torque that is watched (Hz) */
+    differential_gearboxes_real flange1_torque_oscillation_limit; /* amplitude with which flange1_torque may oscillate (N m) */
     differential_gearboxes_real flange2_torque_oscillation_limit; /* amplitude with which flange2_torque may oscillate (N m) */
     differential_gearboxes_real flange3_torque_oscillation_limit; /* amplitude with which flange3_torque may oscillate (N m) */
     differential_gearboxes_real M1_torque_ref_oscillation_limit; /* amplitude with which M1_torque_ref may oscillate (N m) */
@@ -87,6 +92,7 @@ typedef struct {
     differential_gearboxes_real M2_speed_ref; /* reference (rad/s) */
     differential_gearboxes_real M3_speed_ref; /* reference (rad/s) */
     differential_gearboxes_real M1_speed; /* measured (rad/s) */
+    differential_gearboxes_real flange1_torque; /* measured (N m) */
     differential_gearboxes_real flange2_torque; /* measured (N m) */
     differential_gearboxes_real M2_speed; /* measured (rad/s) */
     differential_gearboxes_real flange3_torque; /* measured (N m) */
@@ -115,6 +121,8 @@ typedef struct {
     differential_gearboxes_real M3_speed_ref_bad_time; /* for how long M3_speed_ref was bad (s) */
     differential_gearboxes_real M1_speed_held; /* last sound value of M1_speed (rad/s) */
     differential_gearboxes_real M1_speed_bad_time; /* for how long M1_speed was bad (s) */
+    differential_gearboxes_real flange1_torque_held; /* last sound value of flange1_torque (N m) */
+    differential_gearboxes_real flange1_torque_bad_time; /* for how long flange1_torque was bad (s) */
     differential_gearboxes_real flange2_torque_held; /* last sound value of flange2_torque (N m) */
     differential_gearboxes_real flange2_torque_bad_time; /* for how long flange2_torque was bad (s) */
     differential_gearboxes_real M2_speed_held; /* last sound value of M2_speed (rad/s) */
@@ -137,6 +145,13 @@ typedef struct {
     differential_gearboxes_real M1_damping_now; /* M1_damping on its way to the parameter (N m s/rad) */
     differential_gearboxes_real M1_damping_target; /* M1_damping as the last step found it (N m s/rad) */
     differential_gearboxes_real M1_damping_step; /* how far M1_damping moves in a step (N m s/rad) */
+    differential_gearboxes_real M1_integrated; /* speed of M1 from the torques (rad/s) */
+    differential_gearboxes_real M1_disagreement_time; /* for how long the speed of M1 disagreed (s) */
+    differential_gearboxes_real M1_speed_before; /* M1_speed in the step before (rad/s) */
+    differential_gearboxes_real M1_speed_still_time; /* for how long M1_speed has been the same (s) */
+    differential_gearboxes_real flange1_torque_before; /* flange1_torque in the step before (N m) */
+    differential_gearboxes_real flange1_torque_still_time; /* for how long flange1_torque has been the same (s) */
+    differential_gearboxes_real flange1_torque_command; /* command to M1 when flange1_torque last changed (N m) */
     differential_gearboxes_real M2_integrated; /* speed of M2 from the torques (rad/s) */
     differential_gearboxes_real M2_disagreement_time; /* for how long the speed of M2 disagreed (s) */
     differential_gearboxes_real M2_speed_before; /* M2_speed in the step before (rad/s) */
@@ -151,6 +166,9 @@ typedef struct {
     differential_gearboxes_real flange3_torque_before; /* flange3_torque in the step before (N m) */
     differential_gearboxes_real flange3_torque_still_time; /* for how long flange3_torque has been the same (s) */
     differential_gearboxes_real flange3_torque_command; /* command to M3 when flange3_torque last changed (N m) */
+    differential_gearboxes_real flange1_torque_mean; /* flange1_torque without its oscillation (N m) */
+    differential_gearboxes_real flange1_torque_side; /* side on which flange1_torque last was beyond the limit */
+    differential_gearboxes_real flange1_torque_swings; /* half swings of flange1_torque, forgotten in time */
     differential_gearboxes_real flange2_torque_mean; /* flange2_torque without its oscillation (N m) */
     differential_gearboxes_real flange2_torque_side; /* side on which flange2_torque last was beyond the limit */
     differential_gearboxes_real flange2_torque_swings; /* half swings of flange2_torque, forgotten in time */
@@ -185,6 +203,7 @@ typedef struct {
     differential_gearboxes_real M3_taper_slope; /* share of the torque of M3 per excess of speed (s/rad) */
     differential_gearboxes_real M3_taper_end; /* share at standstill if it were not limited */
     differential_gearboxes_real disagreement_share; /* share of the difference that is forgotten per step */
+    differential_gearboxes_real M1_per_step; /* change of speed of M1 per torque in a step (rad/s/(N m)) */
     differential_gearboxes_real M2_per_step; /* change of speed of M2 per torque in a step (rad/s/(N m)) */
     differential_gearboxes_real M3_per_step; /* change of speed of M3 per torque in a step (rad/s/(N m)) */
     differential_gearboxes_real forgotten_swings; /* half swings that are forgotten per step */
@@ -221,21 +240,26 @@ typedef enum {
     differential_gearboxes_controller_fault_M2_speed_ref = 2, /* M2_speed_ref: not finite or not plausible */
     differential_gearboxes_controller_fault_M3_speed_ref = 3, /* M3_speed_ref: not finite or not plausible */
     differential_gearboxes_controller_fault_M1_speed = 4, /* M1_speed: not finite or not plausible */
-    differential_gearboxes_controller_fault_flange2_torque = 5, /* flange2_torque: not finite or not plausible */
-    differential_gearboxes_controller_fault_M2_speed = 6, /* M2_speed: not finite or not plausible */
-    differential_gearboxes_controller_fault_flange3_torque = 7, /* flange3_torque: not finite or not plausible */
-    differential_gearboxes_controller_fault_M3_speed = 8, /* M3_speed: not finite or not plausible */
+    differential_gearboxes_controller_fault_flange1_torque = 5, /* flange1_torque: not finite or not plausible */
+    differential_gearboxes_controller_fault_flange2_torque = 6, /* flange2_torque: not finite or not plausible */
+    differential_gearboxes_controller_fault_M2_speed = 7, /* M2_speed: not finite or not plausible */
+    differential_gearboxes_controller_fault_flange3_torque = 8, /* flange3_torque: not finite or not plausible */
+    differential_gearboxes_controller_fault_M3_speed = 9, /* M3_speed: not finite or not plausible */
     differential_gearboxes_controller_fault_M1_speed_overspeed = 4004, /* M1_speed: overspeed */
-    differential_gearboxes_controller_fault_M2_speed_overspeed = 4006, /* M2_speed: overspeed */
-    differential_gearboxes_controller_fault_M3_speed_overspeed = 4008, /* M3_speed: overspeed */
-    differential_gearboxes_controller_fault_M2_speed_frozen = 3006, /* M2_speed: frozen while the torques accelerate the machine */
-    differential_gearboxes_controller_fault_M2_speed_disagreement = 5006, /* M2_speed: disagrees with the integrated torque */
-    differential_gearboxes_controller_fault_flange2_torque_frozen = 3005, /* flange2_torque: frozen while the torque of the machine changes */
-    differential_gearboxes_controller_fault_M3_speed_frozen = 3008, /* M3_speed: frozen while the torques accelerate the machine */
-    differential_gearboxes_controller_fault_M3_speed_disagreement = 5008, /* M3_speed: disagrees with the integrated torque */
-    differential_gearboxes_controller_fault_flange3_torque_frozen = 3007, /* flange3_torque: frozen while the torque of the machine changes */
-    differential_gearboxes_controller_fault_flange2_torque_oscillation = 6005, /* flange2_torque: oscillates beyond its limit */
-    differential_gearboxes_controller_fault_flange3_torque_oscillation = 6007, /* flange3_torque: oscillates beyond its limit */
+    differential_gearboxes_controller_fault_M2_speed_overspeed = 4007, /* M2_speed: overspeed */
+    differential_gearboxes_controller_fault_M3_speed_overspeed = 4009, /* M3_speed: overspeed */
+    differential_gearboxes_controller_fault_M1_speed_frozen = 3004, /* M1_speed: frozen while the torques accelerate the machine */
+    differential_gearboxes_controller_fault_M1_speed_disagreement = 5004, /* M1_speed: disagrees with the integrated torque */
+    differential_gearboxes_controller_fault_flange1_torque_frozen = 3005, /* flange1_torque: frozen while the torque of the machine changes */
+    differential_gearboxes_controller_fault_M2_speed_frozen = 3007, /* M2_speed: frozen while the torques accelerate the machine */
+    differential_gearboxes_controller_fault_M2_speed_disagreement = 5007, /* M2_speed: disagrees with the integrated torque */
+    differential_gearboxes_controller_fault_flange2_torque_frozen = 3006, /* flange2_torque: frozen while the torque of the machine changes */
+    differential_gearboxes_controller_fault_M3_speed_frozen = 3009, /* M3_speed: frozen while the torques accelerate the machine */
+    differential_gearboxes_controller_fault_M3_speed_disagreement = 5009, /* M3_speed: disagrees with the integrated torque */
+    differential_gearboxes_controller_fault_flange3_torque_frozen = 3008, /* flange3_torque: frozen while the torque of the machine changes */
+    differential_gearboxes_controller_fault_flange1_torque_oscillation = 6005, /* flange1_torque: oscillates beyond its limit */
+    differential_gearboxes_controller_fault_flange2_torque_oscillation = 6006, /* flange2_torque: oscillates beyond its limit */
+    differential_gearboxes_controller_fault_flange3_torque_oscillation = 6008, /* flange3_torque: oscillates beyond its limit */
     differential_gearboxes_controller_fault_M1_torque_ref_oscillation = 8001, /* M1_torque_ref: the command oscillates */
     differential_gearboxes_controller_fault_M2_torque_ref_oscillation = 8002, /* M2_torque_ref: the command oscillates */
     differential_gearboxes_controller_fault_M3_torque_ref_oscillation = 8003, /* M3_torque_ref: the command oscillates */
@@ -249,67 +273,72 @@ typedef enum {
     differential_gearboxes_controller_bad_M2_speed_ref_plausible = 2004, /* outside its range */
     differential_gearboxes_controller_bad_M3_speed_ref_plausible = 2005, /* outside its range */
     differential_gearboxes_controller_bad_M1_speed_plausible = 2006, /* outside its range */
-    differential_gearboxes_controller_bad_flange2_torque_plausible = 2007, /* outside its range */
-    differential_gearboxes_controller_bad_M2_speed_plausible = 2008, /* outside its range */
-    differential_gearboxes_controller_bad_flange3_torque_plausible = 2009, /* outside its range */
-    differential_gearboxes_controller_bad_M3_speed_plausible = 2010, /* outside its range */
-    differential_gearboxes_controller_bad_M1_overspeed = 2011, /* outside its range */
-    differential_gearboxes_controller_bad_M2_overspeed = 2012, /* outside its range */
-    differential_gearboxes_controller_bad_M3_overspeed = 2013, /* outside its range */
-    differential_gearboxes_controller_bad_load_compensation = 2014, /* outside its range */
-    differential_gearboxes_controller_bad_acceleration_torque = 2015, /* outside its range */
-    differential_gearboxes_controller_bad_switch_time = 2016, /* outside its range */
-    differential_gearboxes_controller_bad_M1_damping = 2017, /* outside its range */
-    differential_gearboxes_controller_bad_M1_speed_rated = 2018, /* outside its range */
-    differential_gearboxes_controller_bad_M1_speed_max = 2019, /* outside its range */
-    differential_gearboxes_controller_bad_M1_speed_taper = 2020, /* outside its range */
-    differential_gearboxes_controller_bad_M1_torque_max = 2021, /* outside its range */
-    differential_gearboxes_controller_bad_M2_speed_rated = 2022, /* outside its range */
-    differential_gearboxes_controller_bad_M2_speed_max = 2023, /* outside its range */
-    differential_gearboxes_controller_bad_M2_speed_taper = 2024, /* outside its range */
-    differential_gearboxes_controller_bad_M2_torque_max = 2025, /* outside its range */
-    differential_gearboxes_controller_bad_M3_speed_rated = 2026, /* outside its range */
-    differential_gearboxes_controller_bad_M3_speed_max = 2027, /* outside its range */
-    differential_gearboxes_controller_bad_M3_speed_taper = 2028, /* outside its range */
-    differential_gearboxes_controller_bad_M3_torque_max = 2029, /* outside its range */
-    differential_gearboxes_controller_bad_disagreement_leak = 2030, /* outside its range */
-    differential_gearboxes_controller_bad_M2_inertia = 2031, /* outside its range */
-    differential_gearboxes_controller_bad_M2_disagreement_limit = 2032, /* outside its range */
-    differential_gearboxes_controller_bad_M2_frozen_limit = 2033, /* outside its range */
-    differential_gearboxes_controller_bad_frozen_time = 2034, /* outside its range */
-    differential_gearboxes_controller_bad_M3_inertia = 2035, /* outside its range */
-    differential_gearboxes_controller_bad_M3_disagreement_limit = 2036, /* outside its range */
-    differential_gearboxes_controller_bad_M3_frozen_limit = 2037, /* outside its range */
-    differential_gearboxes_controller_bad_oscillation_frequency = 2038, /* outside its range */
-    differential_gearboxes_controller_bad_flange2_torque_oscillation_limit = 2039, /* outside its range */
-    differential_gearboxes_controller_bad_flange3_torque_oscillation_limit = 2040, /* outside its range */
-    differential_gearboxes_controller_bad_M1_torque_ref_oscillation_limit = 2041, /* outside its range */
-    differential_gearboxes_controller_bad_M2_torque_ref_oscillation_limit = 2042, /* outside its range */
-    differential_gearboxes_controller_bad_M3_torque_ref_oscillation_limit = 2043, /* outside its range */
-    differential_gearboxes_controller_bad_M2_speed_ref_rate = 2044, /* outside its range */
-    differential_gearboxes_controller_bad_M3_speed_ref_rate = 2045, /* outside its range */
-    differential_gearboxes_controller_bad_M2_speed_gain = 2046, /* outside its range */
-    differential_gearboxes_controller_bad_M2_speed_integral_gain = 2047, /* outside its range */
-    differential_gearboxes_controller_bad_M3_speed_gain = 2048, /* outside its range */
-    differential_gearboxes_controller_bad_M3_speed_integral_gain = 2049, /* outside its range */
-    differential_gearboxes_controller_bad_gearbox2_ratio = 2050, /* outside its range */
-    differential_gearboxes_controller_bad_gearbox3_ratio = 2051, /* outside its range */
-    differential_gearboxes_controller_bad_gearbox2_inertia = 2052, /* outside its range */
-    differential_gearboxes_controller_bad_gearbox3_inertia = 2053, /* outside its range */
-    differential_gearboxes_controller_bad_M1_sensor_inertia_M2 = 2054, /* outside its range */
-    differential_gearboxes_controller_bad_M1_sensor_inertia_M3 = 2055, /* outside its range */
-    differential_gearboxes_controller_bad_M1_inertia_estimate = 2056, /* outside its range */
-    differential_gearboxes_controller_bad_M1_feedforward = 2057, /* outside its range */
-    differential_gearboxes_controller_bad_M1_torque_gain = 2058, /* outside its range */
-    differential_gearboxes_controller_bad_diff_outputs_torque_ref_rate = 2059, /* outside its range */
-    differential_gearboxes_controller_bad_M1_model_stiffness = 2060, /* outside its range */
-    differential_gearboxes_controller_bad_M1_model_damping = 2061, /* outside its range */
-    differential_gearboxes_controller_bad_M1_torque_model = 2062, /* outside its range */
-    differential_gearboxes_controller_bad_diff_ratio = 2063, /* outside its range */
-    differential_gearboxes_controller_bad_gearbox1_ratio = 2064, /* outside its range */
-    differential_gearboxes_controller_bad_M1_torque_integral_gain = 2065, /* outside its range */
-    differential_gearboxes_controller_bad_M1_damping_reserve = 2066, /* outside its range */
-    differential_gearboxes_controller_bad_M1_torque_integral_limit = 2067, /* outside its range */
+    differential_gearboxes_controller_bad_flange1_torque_plausible = 2007, /* outside its range */
+    differential_gearboxes_controller_bad_flange2_torque_plausible = 2008, /* outside its range */
+    differential_gearboxes_controller_bad_M2_speed_plausible = 2009, /* outside its range */
+    differential_gearboxes_controller_bad_flange3_torque_plausible = 2010, /* outside its range */
+    differential_gearboxes_controller_bad_M3_speed_plausible = 2011, /* outside its range */
+    differential_gearboxes_controller_bad_M1_overspeed = 2012, /* outside its range */
+    differential_gearboxes_controller_bad_M2_overspeed = 2013, /* outside its range */
+    differential_gearboxes_controller_bad_M3_overspeed = 2014, /* outside its range */
+    differential_gearboxes_controller_bad_load_compensation = 2015, /* outside its range */
+    differential_gearboxes_controller_bad_acceleration_torque = 2016, /* outside its range */
+    differential_gearboxes_controller_bad_switch_time = 2017, /* outside its range */
+    differential_gearboxes_controller_bad_M1_damping = 2018, /* outside its range */
+    differential_gearboxes_controller_bad_M1_speed_rated = 2019, /* outside its range */
+    differential_gearboxes_controller_bad_M1_speed_max = 2020, /* outside its range */
+    differential_gearboxes_controller_bad_M1_speed_taper = 2021, /* outside its range */
+    differential_gearboxes_controller_bad_M1_torque_max = 2022, /* outside its range */
+    differential_gearboxes_controller_bad_M2_speed_rated = 2023, /* outside its range */
+    differential_gearboxes_controller_bad_M2_speed_max = 2024, /* outside its range */
+    differential_gearboxes_controller_bad_M2_speed_taper = 2025, /* outside its range */
+    differential_gearboxes_controller_bad_M2_torque_max = 2026, /* outside its range */
+    differential_gearboxes_controller_bad_M3_speed_rated = 2027, /* outside its range */
+    differential_gearboxes_controller_bad_M3_speed_max = 2028, /* outside its range */
+    differential_gearboxes_controller_bad_M3_speed_taper = 2029, /* outside its range */
+    differential_gearboxes_controller_bad_M3_torque_max = 2030, /* outside its range */
+    differential_gearboxes_controller_bad_disagreement_leak = 2031, /* outside its range */
+    differential_gearboxes_controller_bad_M1_inertia = 2032, /* outside its range */
+    differential_gearboxes_controller_bad_M1_disagreement_limit = 2033, /* outside its range */
+    differential_gearboxes_controller_bad_M1_frozen_limit = 2034, /* outside its range */
+    differential_gearboxes_controller_bad_frozen_time = 2035, /* outside its range */
+    differential_gearboxes_controller_bad_M2_inertia = 2036, /* outside its range */
+    differential_gearboxes_controller_bad_M2_disagreement_limit = 2037, /* outside its range */
+    differential_gearboxes_controller_bad_M2_frozen_limit = 2038, /* outside its range */
+    differential_gearboxes_controller_bad_M3_inertia = 2039, /* outside its range */
+    differential_gearboxes_controller_bad_M3_disagreement_limit = 2040, /* outside its range */
+    differential_gearboxes_controller_bad_M3_frozen_limit = 2041, /* outside its range */
+    differential_gearboxes_controller_bad_oscillation_frequency = 2042, /* outside its range */
+    differential_gearboxes_controller_bad_flange1_torque_oscillation_limit = 2043, /* outside its range */
+    differential_gearboxes_controller_bad_flange2_torque_oscillation_limit = 2044, /* outside its range */
+    differential_gearboxes_controller_bad_flange3_torque_oscillation_limit = 2045, /* outside its range */
+    differential_gearboxes_controller_bad_M1_torque_ref_oscillation_limit = 2046, /* outside its range */
+    differential_gearboxes_controller_bad_M2_torque_ref_oscillation_limit = 2047, /* outside its range */
+    differential_gearboxes_controller_bad_M3_torque_ref_oscillation_limit = 2048, /* outside its range */
+    differential_gearboxes_controller_bad_M2_speed_ref_rate = 2049, /* outside its range */
+    differential_gearboxes_controller_bad_M3_speed_ref_rate = 2050, /* outside its range */
+    differential_gearboxes_controller_bad_M2_speed_gain = 2051, /* outside its range */
+    differential_gearboxes_controller_bad_M2_speed_integral_gain = 2052, /* outside its range */
+    differential_gearboxes_controller_bad_M3_speed_gain = 2053, /* outside its range */
+    differential_gearboxes_controller_bad_M3_speed_integral_gain = 2054, /* outside its range */
+    differential_gearboxes_controller_bad_gearbox2_ratio = 2055, /* outside its range */
+    differential_gearboxes_controller_bad_gearbox3_ratio = 2056, /* outside its range */
+    differential_gearboxes_controller_bad_gearbox2_inertia = 2057, /* outside its range */
+    differential_gearboxes_controller_bad_gearbox3_inertia = 2058, /* outside its range */
+    differential_gearboxes_controller_bad_M1_sensor_inertia_M2 = 2059, /* outside its range */
+    differential_gearboxes_controller_bad_M1_sensor_inertia_M3 = 2060, /* outside its range */
+    differential_gearboxes_controller_bad_M1_inertia_estimate = 2061, /* outside its range */
+    differential_gearboxes_controller_bad_M1_feedforward = 2062, /* outside its range */
+    differential_gearboxes_controller_bad_M1_torque_gain = 2063, /* outside its range */
+    differential_gearboxes_controller_bad_diff_outputs_torque_ref_rate = 2064, /* outside its range */
+    differential_gearboxes_controller_bad_M1_model_stiffness = 2065, /* outside its range */
+    differential_gearboxes_controller_bad_M1_model_damping = 2066, /* outside its range */
+    differential_gearboxes_controller_bad_M1_torque_model = 2067, /* outside its range */
+    differential_gearboxes_controller_bad_diff_ratio = 2068, /* outside its range */
+    differential_gearboxes_controller_bad_gearbox1_ratio = 2069, /* outside its range */
+    differential_gearboxes_controller_bad_M1_torque_integral_gain = 2070, /* outside its range */
+    differential_gearboxes_controller_bad_M1_damping_reserve = 2071, /* outside its range */
+    differential_gearboxes_controller_bad_M1_torque_integral_limit = 2072, /* outside its range */
 } differential_gearboxes_controller_status;
 
 extern const differential_gearboxes_controller_params differential_gearboxes_controller_defaults;

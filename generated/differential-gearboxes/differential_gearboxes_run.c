@@ -114,6 +114,7 @@ long differential_gearboxes_run_steps(differential_gearboxes_run *run, const dif
         run->inputs.M2_speed_ref = (real)value_at(&profiles[1], &run->cursor[1], time);
         run->inputs.M3_speed_ref = (real)value_at(&profiles[2], &run->cursor[2], time);
         run->inputs.M1_speed = run->measured.M1_speed;
+        run->inputs.flange1_torque = run->measured.flange1_torque;
         run->inputs.flange2_torque = run->measured.flange2_torque;
         run->inputs.M2_speed = run->measured.M2_speed;
         run->inputs.flange3_torque = run->measured.flange3_torque;

@@ -346,8 +346,6 @@ differential_output_torque_controller_status differential_output_torque_controll
     s->disagreement_share = p->disagreement_leak * p->sample_time;
     s->M1_per_step = p->sample_time / p->M1_inertia;
     s->M2_per_step = p->sample_time / p->M2_inertia;
-    s->M2_balance_share = p->M2_inertia / p->M2_inertia_estimate;
-    s->M2_balance_flange2_torque = p->M2_inertia / p->M2_inertia_estimate;
     s->M3_per_step = p->sample_time / p->M3_inertia;
     s->forgotten_swings = p->oscillation_frequency * p->sample_time;
     s->mean_share = 6.2832 * p->oscillation_frequency * p->sample_time;
@@ -611,9 +609,8 @@ differential_output_torque_controller_status differential_output_torque_controll
     /* speed from the torques on the rotor */
     const differential_output_torque_real M2_integrated_before = differential_output_torque_select(s->running > 0.5,
         s->M2_integrated, s->M2_speed_held);
-    s->M2_integrated = M2_integrated_before + s->M2_per_step * (M2_applied * s->M2_balance_share +
-        s->M2_balance_flange2_torque * s->flange2_torque_held) + s->disagreement_share * (-M2_integrated_before +
-        s->M2_speed_held);
+    s->M2_integrated = M2_integrated_before + s->M2_per_step * (M2_applied + s->flange2_torque_held) +
+        s->disagreement_share * (-M2_integrated_before + s->M2_speed_held);
     const differential_output_torque_real M2_difference = differential_output_torque_abs(s->M2_integrated -
         s->M2_speed_held);
     /* speed against torques */

@@ -200,8 +200,6 @@ typedef struct {
     differential_output_torque_real disagreement_share; /* share of the difference that is forgotten per step */
     differential_output_torque_real M1_per_step; /* change of speed of M1 per torque in a step (rad/s/(N m)) */
     differential_output_torque_real M2_per_step; /* change of speed of M2 per torque in a step (rad/s/(N m)) */
-    differential_output_torque_real M2_balance_share; /* share of the torque of M2 on its rotor */
-    differential_output_torque_real M2_balance_flange2_torque; /* coefficient of flange2_torque */
     differential_output_torque_real M3_per_step; /* change of speed of M3 per torque in a step (rad/s/(N m)) */
     differential_output_torque_real forgotten_swings; /* half swings that are forgotten per step */
     differential_output_torque_real mean_share; /* share of a step in the mean of a torque */

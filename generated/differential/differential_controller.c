@@ -345,8 +345,6 @@ differential_controller_status differential_controller_update(differential_contr
     s->M3_taper_end = p->M3_speed_max / p->M3_speed_taper + 1.0;
     s->disagreement_share = p->disagreement_leak * p->sample_time;
     s->M1_per_step = p->sample_time / p->M1_inertia;
-    s->M1_balance_share = p->M1_inertia / p->M1_inertia_estimate;
-    s->M1_balance_flange1_torque = -p->M1_inertia / p->M1_inertia_estimate;
     s->M2_per_step = p->sample_time / p->M2_inertia;
     s->M3_per_step = p->sample_time / p->M3_inertia;
     s->forgotten_swings = p->oscillation_frequency * p->sample_time;
@@ -554,9 +552,8 @@ differential_controller_status differential_controller_step(differential_control
     /* speed from the torques on the rotor */
     const differential_real M1_integrated_before = differential_select(s->running > 0.5, s->M1_integrated,
         s->M1_speed_held);
-    s->M1_integrated = M1_integrated_before + s->M1_per_step * (M1_applied * s->M1_balance_share +
-        s->M1_balance_flange1_torque * s->flange1_torque_held) + s->disagreement_share * (-M1_integrated_before +
-        s->M1_speed_held);
+    s->M1_integrated = M1_integrated_before + s->M1_per_step * (M1_applied - s->flange1_torque_held) +
+        s->disagreement_share * (-M1_integrated_before + s->M1_speed_held);
     const differential_real M1_difference = differential_abs(s->M1_integrated - s->M1_speed_held);
     /* speed against torques */
     const differential_real M1_agrees = differential_select(M1_difference <= p->M1_disagreement_limit, 1.0, 0.0);

@@ -199,8 +199,6 @@ typedef struct {
     differential_real M3_taper_end; /* share at standstill if it were not limited */
     differential_real disagreement_share; /* share of the difference that is forgotten per step */
     differential_real M1_per_step; /* change of speed of M1 per torque in a step (rad/s/(N m)) */
-    differential_real M1_balance_share; /* share of the torque of M1 on its rotor */
-    differential_real M1_balance_flange1_torque; /* coefficient of flange1_torque */
     differential_real M2_per_step; /* change of speed of M2 per torque in a step (rad/s/(N m)) */
     differential_real M3_per_step; /* change of speed of M3 per torque in a step (rad/s/(N m)) */
     differential_real forgotten_swings; /* half swings that are forgotten per step */

@@ -82,7 +82,7 @@ CASADI_SYMBOL_EXPORT int back_to_back_controller_casadi_casadi_int_size(void) { 
 CASADI_SYMBOL_EXPORT int back_to_back_controller_casadi_casadi_real_size(void) { return (int) sizeof(casadi_real); }
 
 static const casadi_int casadi_s0[3] = {50, 1, 1};
-static const casadi_int casadi_s1[3] = {24, 1, 1};
+static const casadi_int casadi_s1[3] = {22, 1, 1};
 static const casadi_int casadi_s2[3] = {63, 1, 1};
 static const casadi_int casadi_s3[3] = {7, 1, 1};
 static const casadi_int casadi_s4[3] = {2, 1, 1};
@@ -90,9 +90,9 @@ static const casadi_int casadi_s4[3] = {2, 1, 1};
 static const casadi_real casadi_zeros[50] = 
   {0.};
 
-/* controller_prepare:(parameters[50])->(derived[24]) */
+/* controller_prepare:(parameters[50])->(derived[22]) */
 static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real w1, w2, w3, w4, w5;
+  casadi_real w1, w2, w3, w4;
   const casadi_real *wr0;
   /* #0: @0 = input[0][0] */
   wr0 = arg[0] ? arg[0] : casadi_zeros;
@@ -144,130 +144,120 @@ static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   if (res[0]) res[0][5] = w4;
   /* #24: @4 = @0[24] */
   w4 = wr0[24];
-  /* #25: @2 = (@1/@4) */
-  w2  = (w1/w4);
-  /* #26: output[0][6] = @2 */
-  if (res[0]) res[0][6] = w2;
-  /* #27: @2 = @0[40] */
-  w2 = wr0[40];
-  /* #28: @3 = (@4/@2) */
-  w3  = (w4/w2);
-  /* #29: output[0][7] = @3 */
-  if (res[0]) res[0][7] = w3;
-  /* #30: @4 = (@4/@2) */
-  w4 /= w2;
-  /* #31: @4 = (-@4) */
-  w4 = (- w4 );
-  /* #32: output[0][8] = @4 */
-  if (res[0]) res[0][8] = w4;
-  /* #33: @4 = @0[28] */
+  /* #25: @4 = (@1/@4) */
+  w4  = (w1/w4);
+  /* #26: output[0][6] = @4 */
+  if (res[0]) res[0][6] = w4;
+  /* #27: @4 = @0[28] */
   w4 = wr0[28];
-  /* #34: @3 = (@1/@4) */
-  w3  = (w1/w4);
-  /* #35: output[0][9] = @3 */
+  /* #28: @2 = (@1/@4) */
+  w2  = (w1/w4);
+  /* #29: output[0][7] = @2 */
+  if (res[0]) res[0][7] = w2;
+  /* #30: @2 = @0[31] */
+  w2 = wr0[31];
+  /* #31: @3 = (@2*@1) */
+  w3  = (w2*w1);
+  /* #32: output[0][8] = @3 */
+  if (res[0]) res[0][8] = w3;
+  /* #33: @3 = 6.2832 */
+  w3 = 6.2831999999999999e+00;
+  /* #34: @3 = (@3*@2) */
+  w3 *= w2;
+  /* #35: @3 = (@3*@1) */
+  w3 *= w1;
+  /* #36: output[0][9] = @3 */
   if (res[0]) res[0][9] = w3;
-  /* #36: @3 = @0[31] */
-  w3 = wr0[31];
-  /* #37: @5 = (@3*@1) */
-  w5  = (w3*w1);
-  /* #38: output[0][10] = @5 */
-  if (res[0]) res[0][10] = w5;
-  /* #39: @5 = 6.2832 */
-  w5 = 6.2831999999999999e+00;
-  /* #40: @5 = (@5*@3) */
-  w5 *= w3;
-  /* #41: @5 = (@5*@1) */
-  w5 *= w1;
-  /* #42: output[0][11] = @5 */
-  if (res[0]) res[0][11] = w5;
-  /* #43: @5 = @0[36] */
-  w5 = wr0[36];
-  /* #44: @5 = (@5*@1) */
-  w5 *= w1;
-  /* #45: output[0][12] = @5 */
-  if (res[0]) res[0][12] = w5;
-  /* #46: @5 = @0[38] */
-  w5 = wr0[38];
-  /* #47: @3 = (@5*@1) */
-  w3  = (w5*w1);
-  /* #48: output[0][13] = @3 */
+  /* #37: @3 = @0[36] */
+  w3 = wr0[36];
+  /* #38: @3 = (@3*@1) */
+  w3 *= w1;
+  /* #39: output[0][10] = @3 */
+  if (res[0]) res[0][10] = w3;
+  /* #40: @3 = @0[38] */
+  w3 = wr0[38];
+  /* #41: @2 = (@3*@1) */
+  w2  = (w3*w1);
+  /* #42: output[0][11] = @2 */
+  if (res[0]) res[0][11] = w2;
+  /* #43: @3 = (@3*@1) */
+  w3 *= w1;
+  /* #44: @2 = @0[37] */
+  w2 = wr0[37];
+  /* #45: @3 = (@3/@2) */
+  w3 /= w2;
+  /* #46: output[0][12] = @3 */
+  if (res[0]) res[0][12] = w3;
+  /* #47: @3 = @0[39] */
+  w3 = wr0[39];
+  /* #48: @3 = (@3/@4) */
+  w3 /= w4;
+  /* #49: output[0][13] = @3 */
   if (res[0]) res[0][13] = w3;
-  /* #49: @5 = (@5*@1) */
-  w5 *= w1;
-  /* #50: @3 = @0[37] */
-  w3 = wr0[37];
-  /* #51: @5 = (@5/@3) */
-  w5 /= w3;
-  /* #52: output[0][14] = @5 */
-  if (res[0]) res[0][14] = w5;
-  /* #53: @5 = @0[39] */
-  w5 = wr0[39];
-  /* #54: @5 = (@5/@4) */
-  w5 /= w4;
-  /* #55: output[0][15] = @5 */
-  if (res[0]) res[0][15] = w5;
-  /* #56: @5 = @0[43] */
-  w5 = wr0[43];
-  /* #57: @5 = (@5*@1) */
-  w5 *= w1;
-  /* #58: output[0][16] = @5 */
-  if (res[0]) res[0][16] = w5;
-  /* #59: @5 = @0[44] */
-  w5 = wr0[44];
-  /* #60: @5 = (@5*@1) */
-  w5 *= w1;
-  /* #61: @5 = (@5/@2) */
-  w5 /= w2;
-  /* #62: output[0][17] = @5 */
-  if (res[0]) res[0][17] = w5;
-  /* #63: @5 = @0[45] */
-  w5 = wr0[45];
-  /* #64: @5 = (@5*@1) */
-  w5 *= w1;
-  /* #65: @5 = (@5/@2) */
-  w5 /= w2;
-  /* #66: output[0][18] = @5 */
-  if (res[0]) res[0][18] = w5;
-  /* #67: @2 = (@2/@4) */
+  /* #50: @3 = @0[43] */
+  w3 = wr0[43];
+  /* #51: @3 = (@3*@1) */
+  w3 *= w1;
+  /* #52: output[0][14] = @3 */
+  if (res[0]) res[0][14] = w3;
+  /* #53: @3 = @0[44] */
+  w3 = wr0[44];
+  /* #54: @3 = (@3*@1) */
+  w3 *= w1;
+  /* #55: @2 = @0[40] */
+  w2 = wr0[40];
+  /* #56: @3 = (@3/@2) */
+  w3 /= w2;
+  /* #57: output[0][15] = @3 */
+  if (res[0]) res[0][15] = w3;
+  /* #58: @3 = @0[45] */
+  w3 = wr0[45];
+  /* #59: @3 = (@3*@1) */
+  w3 *= w1;
+  /* #60: @3 = (@3/@2) */
+  w3 /= w2;
+  /* #61: output[0][16] = @3 */
+  if (res[0]) res[0][16] = w3;
+  /* #62: @2 = (@2/@4) */
   w2 /= w4;
-  /* #68: output[0][19] = @2 */
-  if (res[0]) res[0][19] = w2;
-  /* #69: @2 = @0[47] */
+  /* #63: output[0][17] = @2 */
+  if (res[0]) res[0][17] = w2;
+  /* #64: @2 = @0[47] */
   w2 = wr0[47];
-  /* #70: @2 = (@2*@1) */
+  /* #65: @2 = (@2*@1) */
   w2 *= w1;
-  /* #71: output[0][20] = @2 */
+  /* #66: output[0][18] = @2 */
+  if (res[0]) res[0][18] = w2;
+  /* #67: @2 = 1.01 */
+  w2 = 1.0100000000000000e+00;
+  /* #68: @4 = 3050 */
+  w4 = 3050.;
+  /* #69: @3 = @0[18] */
+  w3 = wr0[18];
+  /* #70: @4 = fmin(@4,@3) */
+  w4  = casadi_fmin(w4,w3);
+  /* #71: @2 = (@2*@4) */
+  w2 *= w4;
+  /* #72: output[0][19] = @2 */
+  if (res[0]) res[0][19] = w2;
+  /* #73: @2 = 1.01 */
+  w2 = 1.0100000000000000e+00;
+  /* #74: @4 = 3050 */
+  w4 = 3050.;
+  /* #75: @3 = @0[22] */
+  w3 = wr0[22];
+  /* #76: @4 = fmin(@4,@3) */
+  w4  = casadi_fmin(w4,w3);
+  /* #77: @2 = (@2*@4) */
+  w2 *= w4;
+  /* #78: output[0][20] = @2 */
   if (res[0]) res[0][20] = w2;
-  /* #72: @2 = 1.01 */
-  w2 = 1.0100000000000000e+00;
-  /* #73: @4 = 3050 */
-  w4 = 3050.;
-  /* #74: @5 = @0[18] */
-  w5 = wr0[18];
-  /* #75: @4 = fmin(@4,@5) */
-  w4  = casadi_fmin(w4,w5);
-  /* #76: @2 = (@2*@4) */
-  w2 *= w4;
-  /* #77: output[0][21] = @2 */
-  if (res[0]) res[0][21] = w2;
-  /* #78: @2 = 1.01 */
-  w2 = 1.0100000000000000e+00;
-  /* #79: @4 = 3050 */
-  w4 = 3050.;
-  /* #80: @5 = @0[22] */
-  w5 = wr0[22];
-  /* #81: @4 = fmin(@4,@5) */
-  w4  = casadi_fmin(w4,w5);
-  /* #82: @2 = (@2*@4) */
-  w2 *= w4;
-  /* #83: output[0][22] = @2 */
-  if (res[0]) res[0][22] = w2;
-  /* #84: @2 = @0[1] */
+  /* #79: @2 = @0[1] */
   w2 = wr0[1];
-  /* #85: @1 = (@1/@2) */
+  /* #80: @1 = (@1/@2) */
   w1 /= w2;
-  /* #86: output[0][23] = @1 */
-  if (res[0]) res[0][23] = w1;
+  /* #81: output[0][21] = @1 */
+  if (res[0]) res[0][21] = w1;
   return 0;
 }
 
@@ -342,7 +332,7 @@ CASADI_SYMBOL_EXPORT int controller_prepare_work_bytes(casadi_int *sz_arg, casad
   return 0;
 }
 
-/* controller_step:(parameters[50],derived[24],states[63],inputs[7])->(next_states[63],outputs[2]) */
+/* controller_step:(parameters[50],derived[22],states[63],inputs[7])->(next_states[63],outputs[2]) */
 static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a000, a001, a002, a003, a004, a005, a006, a007, a008, a009, a010, a011;
   casadi_real a012, a013, a014, a015, a016, a017, a018, a019, a020, a021, a022, a023;
@@ -594,29 +584,25 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a036=arg[1]? arg[1][6] : 0;
   a053=arg[2]? arg[2][61] : 0;
   a054=(a053*a003);
-  a055=arg[1]? arg[1][7] : 0;
-  a055=(a054*a055);
-  a056=arg[1]? arg[1][8] : 0;
   a020=(a021?a020:0);
   a021=(!a021);
-  a057=arg[2]? arg[2][10] : 0;
-  a021=(a021?a057:0);
+  a055=arg[2]? arg[2][10] : 0;
+  a021=(a021?a055:0);
   a020=(a020+a021);
-  a056=(a056*a020);
-  a055=(a055+a056);
-  a036=(a036*a055);
+  a021=(a054-a020);
+  a036=(a036*a021);
   a036=(a050+a036);
-  a055=arg[1]? arg[1][5] : 0;
+  a021=arg[1]? arg[1][5] : 0;
   a050=(a007-a050);
-  a050=(a055*a050);
+  a050=(a021*a050);
   a036=(a036+a050);
   a050=(a036-a007);
   a050=casadi_fabs(a050);
-  a056=arg[0]? arg[0][25] : 0;
-  a056=(a050<=a056);
-  a056=(a056?a002:0);
-  a056=(a000<a056);
-  a021=(!a056);
+  a055=arg[0]? arg[0][25] : 0;
+  a055=(a050<=a055);
+  a055=(a055?a002:0);
+  a055=(a000<a055);
+  a056=(!a055);
   a057=arg[2]? arg[2][30] : 0;
   a058=(a057+a033);
   a059=(a000*a033);
@@ -624,15 +610,15 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a059=(a058<=a059);
   a059=(!a059);
   a059=(a059?a002:0);
-  a021=(a021?a059:0);
-  a021=(a004<a021);
+  a056=(a056?a059:0);
+  a056=(a004<a056);
   a059=5003.;
-  a059=(a021?a059:0);
-  a021=(!a021);
-  a021=(a021?a037:0);
-  a059=(a059+a021);
-  a021=arg[0]? arg[0][26] : 0;
-  a060=(a050-a021);
+  a059=(a056?a059:0);
+  a056=(!a056);
+  a056=(a056?a037:0);
+  a059=(a059+a056);
+  a056=arg[0]? arg[0][26] : 0;
+  a060=(a050-a056);
   a061=arg[2]? arg[2][31] : 0;
   a061=(a007==a061);
   a062=(a000<a052);
@@ -654,7 +640,7 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a060=(a000<a052);
   a064=arg[2]? arg[2][51] : 0;
   a060=(a060?a064:0);
-  a064=arg[1]? arg[1][10] : 0;
+  a064=arg[1]? arg[1][8] : 0;
   a060=(a060-a064);
   a060=casadi_fmax(a004,a060);
   a065=arg[0]? arg[0][34] : 0;
@@ -693,7 +679,7 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a069=(!a069);
   a069=(a069?a011:0);
   a072=(a072+a069);
-  a069=arg[1]? arg[1][9] : 0;
+  a069=arg[1]? arg[1][7] : 0;
   a071=arg[2]? arg[2][62] : 0;
   a065=(a071*a003);
   a023=(a024?a023:0);
@@ -705,12 +691,12 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a069=(a069*a024);
   a069=(a072+a069);
   a072=(a011-a072);
-  a055=(a055*a072);
-  a069=(a069+a055);
-  a055=(a069-a011);
-  a055=casadi_fabs(a055);
+  a021=(a021*a072);
+  a069=(a069+a021);
+  a021=(a069-a011);
+  a021=casadi_fabs(a021);
   a072=arg[0]? arg[0][29] : 0;
-  a072=(a055<=a072);
+  a072=(a021<=a072);
   a072=(a072?a002:0);
   a072=(a000<a072);
   a024=(!a072);
@@ -730,7 +716,7 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a075=(a075+a024);
   a059=casadi_fmin(a059,a075);
   a075=arg[0]? arg[0][30] : 0;
-  a024=(a055-a075);
+  a024=(a021-a075);
   a076=arg[2]? arg[2][38] : 0;
   a076=(a011==a076);
   a077=(a000<a052);
@@ -782,20 +768,18 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a084=(a084?a037:0);
   a081=(a081+a084);
   a059=casadi_fmin(a059,a081);
-  a050=(a050-a021);
-  a021=arg[2]? arg[2][33] : 0;
-  a021=(a020==a021);
-  a081=(a000<a052);
-  a084=arg[2]? arg[2][34] : 0;
-  a081=(a081?a084:0);
+  a050=(a050-a056);
+  a056=arg[2]? arg[2][33] : 0;
+  a056=(a020==a056);
+  a081=arg[2]? arg[2][34] : 0;
   a081=(a081+a033);
-  a021=(a021?a081:0);
-  a081=(a021-a062);
+  a056=(a056?a081:0);
+  a081=(a056-a062);
   a050=casadi_fmin(a050,a081);
   a081=-5.0000000000000003e-02;
   a084=arg[0]? arg[0][18] : 0;
   a083=(a081*a084);
-  a024=(a004<a021);
+  a024=(a004<a056);
   a085=arg[2]? arg[2][35] : 0;
   a085=(a024?a085:0);
   a024=(!a024);
@@ -849,7 +833,7 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a089=(a089?a037:0);
   a086=(a086+a089);
   a059=casadi_fmin(a059,a086);
-  a055=(a055-a075);
+  a021=(a021-a075);
   a075=arg[2]? arg[2][40] : 0;
   a075=(a023==a075);
   a086=(a000<a052);
@@ -858,7 +842,7 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a086=(a086+a033);
   a075=(a075?a086:0);
   a062=(a075-a062);
-  a055=casadi_fmin(a055,a062);
+  a021=casadi_fmin(a021,a062);
   a062=arg[0]? arg[0][22] : 0;
   a081=(a081*a062);
   a086=(a004<a075);
@@ -870,32 +854,32 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a065=(a065-a089);
   a065=casadi_fabs(a065);
   a081=(a081+a065);
-  a055=casadi_fmin(a055,a081);
-  a055=(a004<a055);
+  a021=casadi_fmin(a021,a081);
+  a021=(a004<a021);
   a081=3005.;
-  a081=(a055?a081:0);
-  a055=(!a055);
-  a055=(a055?a037:0);
-  a081=(a081+a055);
+  a081=(a021?a081:0);
+  a021=(!a021);
+  a021=(a021?a037:0);
+  a081=(a081+a021);
   a059=casadi_fmin(a059,a081);
   a081=(a000<a052);
-  a055=arg[2]? arg[2][48] : 0;
-  a081=(a081?a055:0);
+  a021=arg[2]? arg[2][48] : 0;
+  a081=(a081?a021:0);
   a081=(a081-a064);
   a081=casadi_fmax(a004,a081);
   a064=arg[0]? arg[0][33] : 0;
-  a055=(a000<a052);
+  a021=(a000<a052);
   a065=arg[2]? arg[2][46] : 0;
-  a065=(a055?a065:0);
-  a055=(!a055);
-  a055=(a055?a023:0);
-  a065=(a065+a055);
-  a055=(a023-a065);
-  a086=(a064<a055);
+  a065=(a021?a065:0);
+  a021=(!a021);
+  a021=(a021?a023:0);
+  a065=(a065+a021);
+  a021=(a023-a065);
+  a086=(a064<a021);
   a088=(a086?a002:0);
   a086=(!a086);
   a064=(-a064);
-  a064=(a055<a064);
+  a064=(a021<a064);
   a028=(a064?a028:0);
   a064=(!a064);
   a050=arg[2]? arg[2][47] : 0;
@@ -993,7 +977,7 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a097=arg[2]? arg[2][57] : 0;
   a097=(a096?a097:0);
   a096=(!a096);
-  a098=arg[1]? arg[1][15] : 0;
+  a098=arg[1]? arg[1][13] : 0;
   a099=arg[0]? arg[0][19] : 0;
   a062=(a099*a062);
   a100=casadi_fabs(a011);
@@ -1064,7 +1048,7 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a102=(!a102);
   a102=(a102?a011:0);
   a100=(a100+a102);
-  a102=arg[1]? arg[1][12] : 0;
+  a102=arg[1]? arg[1][10] : 0;
   a108=(-a102);
   a014=(a015?a014:0);
   a015=(!a015);
@@ -1088,7 +1072,7 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a098=(a020+a098);
   a096=(a096?a098:0);
   a097=(a097+a096);
-  a096=arg[1]? arg[1][16] : 0;
+  a096=arg[1]? arg[1][14] : 0;
   a015=(-a096);
   a017=(a018?a017:0);
   a018=(!a018);
@@ -1110,11 +1094,11 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a015=(a000<a052);
   a018=arg[2]? arg[2][59] : 0;
   a107=(a015?a018:0);
-  a109=arg[1]? arg[1][17] : 0;
+  a109=arg[1]? arg[1][15] : 0;
   a110=(a097-a096);
   a109=(a109*a110);
   a107=(a107+a109);
-  a109=arg[1]? arg[1][18] : 0;
+  a109=arg[1]? arg[1][16] : 0;
   a109=(a109*a018);
   a109=(-a109);
   a015=(a015?a109:0);
@@ -1130,7 +1114,7 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a015=arg[0]? arg[0][42] : 0;
   a015=(a109*a015);
   a095=(a095+a015);
-  a015=arg[1]? arg[1][19] : 0;
+  a015=arg[1]? arg[1][17] : 0;
   a015=(a015*a062);
   a062=arg[0]? arg[0][12] : 0;
   a098=arg[2]? arg[2][24] : 0;
@@ -1178,7 +1162,7 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a084=casadi_fmin(a084,a059);
   a086=casadi_fmax(a086,a084);
   a084=casadi_fabs(a086);
-  a059=arg[1]? arg[1][21] : 0;
+  a059=arg[1]? arg[1][19] : 0;
   a084=(a084<=a059);
   a059=(a084?a002:0);
   a059=(a059<a002);
@@ -1188,7 +1172,7 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a059=(a059?a037:0);
   a090=(a090+a059);
   a059=casadi_fabs(a101);
-  a015=arg[1]? arg[1][22] : 0;
+  a015=arg[1]? arg[1][20] : 0;
   a059=(a059<=a015);
   a015=(a059?a002:0);
   a015=(a015<a002);
@@ -1205,7 +1189,7 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a027=(a027+a005);
   if (res[0]!=0) res[0][0]=a027;
   a005=(a000<a027);
-  a030=arg[1]? arg[1][23] : 0;
+  a030=arg[1]? arg[1][21] : 0;
   a090=(-a030);
   a090=(a005?a090:0);
   a005=(!a005);
@@ -1317,15 +1301,15 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a057=casadi_fmin(a057,a035);
   a057=(a057-a033);
   a057=casadi_fmax(a004,a057);
-  a057=(a056?a057:0);
-  a056=(!a056);
-  a056=(a056?a058:0);
-  a057=(a057+a056);
+  a057=(a055?a057:0);
+  a055=(!a055);
+  a055=(a055?a058:0);
+  a057=(a057+a055);
   if (res[0]!=0) res[0][30]=a057;
   if (res[0]!=0) res[0][31]=a007;
   if (res[0]!=0) res[0][32]=a061;
   if (res[0]!=0) res[0][33]=a020;
-  if (res[0]!=0) res[0][34]=a021;
+  if (res[0]!=0) res[0][34]=a056;
   if (res[0]!=0) res[0][35]=a085;
   if (res[0]!=0) res[0][36]=a069;
   a073=casadi_fmin(a073,a035);
@@ -1341,14 +1325,14 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   if (res[0]!=0) res[0][40]=a023;
   if (res[0]!=0) res[0][41]=a075;
   if (res[0]!=0) res[0][42]=a089;
-  a089=arg[1]? arg[1][11] : 0;
+  a089=arg[1]? arg[1][9] : 0;
   a054=(a054*a089);
   a024=(a024+a054);
   if (res[0]!=0) res[0][43]=a024;
   if (res[0]!=0) res[0][44]=a087;
   if (res[0]!=0) res[0][45]=a083;
-  a055=(a055*a089);
-  a065=(a065+a055);
+  a021=(a021*a089);
+  a065=(a065+a021);
   if (res[0]!=0) res[0][46]=a065;
   if (res[0]!=0) res[0][47]=a088;
   if (res[0]!=0) res[0][48]=a081;
@@ -1366,10 +1350,10 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   if (res[0]!=0) res[0][54]=a077;
   if (res[0]!=0) res[0][55]=a100;
   a102=(a101-a102);
-  a100=arg[1]? arg[1][14] : 0;
+  a100=arg[1]? arg[1][12] : 0;
   a102=(a102*a100);
   a099=(a099+a102);
-  a102=arg[1]? arg[1][13] : 0;
+  a102=arg[1]? arg[1][11] : 0;
   a108=(a108*a102);
   a099=(a099+a108);
   if (res[0]!=0) res[0][56]=a099;
@@ -1383,7 +1367,7 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a004=(!a004);
   a063=arg[0]? arg[0][49] : 0;
   a107=(-a063);
-  a096=arg[1]? arg[1][20] : 0;
+  a096=arg[1]? arg[1][18] : 0;
   a109=(a109*a096);
   a094=(a094+a109);
   a063=casadi_fmin(a063,a094);

@@ -82,7 +82,7 @@ CASADI_SYMBOL_EXPORT int differential_controller_casadi_casadi_int_size(void) { 
 CASADI_SYMBOL_EXPORT int differential_controller_casadi_casadi_real_size(void) { return (int) sizeof(casadi_real); }
 
 static const casadi_int casadi_s0[3] = {68, 1, 1};
-static const casadi_int casadi_s1[3] = {35, 1, 1};
+static const casadi_int casadi_s1[3] = {33, 1, 1};
 static const casadi_int casadi_s2[3] = {86, 1, 1};
 static const casadi_int casadi_s3[3] = {10, 1, 1};
 static const casadi_int casadi_s4[3] = {3, 1, 1};
@@ -90,7 +90,7 @@ static const casadi_int casadi_s4[3] = {3, 1, 1};
 static const casadi_real casadi_zeros[68] = 
   {0.};
 
-/* controller_prepare:(parameters[68])->(derived[35]) */
+/* controller_prepare:(parameters[68])->(derived[33]) */
 static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real w1, w2, w3, w4, w5, w6;
   const casadi_real *wr0;
@@ -160,200 +160,190 @@ static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   if (res[0]) res[0][7] = w2;
   /* #32: @2 = @0[32] */
   w2 = wr0[32];
-  /* #33: @3 = (@1/@2) */
-  w3  = (w1/w2);
-  /* #34: output[0][8] = @3 */
-  if (res[0]) res[0][8] = w3;
-  /* #35: @3 = @0[57] */
-  w3 = wr0[57];
-  /* #36: @4 = (@2/@3) */
-  w4  = (w2/w3);
-  /* #37: output[0][9] = @4 */
-  if (res[0]) res[0][9] = w4;
-  /* #38: @2 = (@2/@3) */
-  w2 /= w3;
-  /* #39: @2 = (-@2) */
-  w2 = (- w2 );
-  /* #40: output[0][10] = @2 */
-  if (res[0]) res[0][10] = w2;
-  /* #41: @2 = @0[36] */
+  /* #33: @2 = (@1/@2) */
+  w2  = (w1/w2);
+  /* #34: output[0][8] = @2 */
+  if (res[0]) res[0][8] = w2;
+  /* #35: @2 = @0[36] */
   w2 = wr0[36];
-  /* #42: @4 = (@1/@2) */
-  w4  = (w1/w2);
-  /* #43: output[0][11] = @4 */
-  if (res[0]) res[0][11] = w4;
-  /* #44: @4 = @0[39] */
-  w4 = wr0[39];
-  /* #45: @5 = (@1/@4) */
-  w5  = (w1/w4);
-  /* #46: output[0][12] = @5 */
+  /* #36: @3 = (@1/@2) */
+  w3  = (w1/w2);
+  /* #37: output[0][9] = @3 */
+  if (res[0]) res[0][9] = w3;
+  /* #38: @3 = @0[39] */
+  w3 = wr0[39];
+  /* #39: @4 = (@1/@3) */
+  w4  = (w1/w3);
+  /* #40: output[0][10] = @4 */
+  if (res[0]) res[0][10] = w4;
+  /* #41: @4 = @0[42] */
+  w4 = wr0[42];
+  /* #42: @5 = (@4*@1) */
+  w5  = (w4*w1);
+  /* #43: output[0][11] = @5 */
+  if (res[0]) res[0][11] = w5;
+  /* #44: @5 = 6.2832 */
+  w5 = 6.2831999999999999e+00;
+  /* #45: @5 = (@5*@4) */
+  w5 *= w4;
+  /* #46: @5 = (@5*@1) */
+  w5 *= w1;
+  /* #47: output[0][12] = @5 */
   if (res[0]) res[0][12] = w5;
-  /* #47: @5 = @0[42] */
-  w5 = wr0[42];
-  /* #48: @6 = (@5*@1) */
-  w6  = (w5*w1);
-  /* #49: output[0][13] = @6 */
-  if (res[0]) res[0][13] = w6;
-  /* #50: @6 = 6.2832 */
-  w6 = 6.2831999999999999e+00;
-  /* #51: @6 = (@6*@5) */
-  w6 *= w5;
-  /* #52: @6 = (@6*@1) */
-  w6 *= w1;
-  /* #53: output[0][14] = @6 */
-  if (res[0]) res[0][14] = w6;
-  /* #54: @6 = @0[49] */
-  w6 = wr0[49];
-  /* #55: @6 = (@6*@1) */
-  w6 *= w1;
-  /* #56: output[0][15] = @6 */
-  if (res[0]) res[0][15] = w6;
-  /* #57: @6 = @0[50] */
-  w6 = wr0[50];
-  /* #58: @6 = (@6*@1) */
-  w6 *= w1;
-  /* #59: output[0][16] = @6 */
-  if (res[0]) res[0][16] = w6;
-  /* #60: @6 = @0[52] */
-  w6 = wr0[52];
-  /* #61: @5 = (@6*@1) */
-  w5  = (w6*w1);
-  /* #62: output[0][17] = @5 */
-  if (res[0]) res[0][17] = w5;
-  /* #63: @6 = (@6*@1) */
-  w6 *= w1;
-  /* #64: @5 = @0[51] */
-  w5 = wr0[51];
-  /* #65: @6 = (@6/@5) */
-  w6 /= w5;
-  /* #66: output[0][18] = @6 */
-  if (res[0]) res[0][18] = w6;
-  /* #67: @6 = @0[54] */
-  w6 = wr0[54];
-  /* #68: @5 = (@6*@1) */
-  w5  = (w6*w1);
-  /* #69: output[0][19] = @5 */
-  if (res[0]) res[0][19] = w5;
-  /* #70: @6 = (@6*@1) */
-  w6 *= w1;
-  /* #71: @5 = @0[53] */
-  w5 = wr0[53];
-  /* #72: @6 = (@6/@5) */
-  w6 /= w5;
-  /* #73: output[0][20] = @6 */
-  if (res[0]) res[0][20] = w6;
-  /* #74: @6 = @0[55] */
-  w6 = wr0[55];
-  /* #75: @6 = (@6/@2) */
-  w6 /= w2;
-  /* #76: output[0][21] = @6 */
-  if (res[0]) res[0][21] = w6;
-  /* #77: @6 = @0[56] */
-  w6 = wr0[56];
-  /* #78: @6 = (@6/@4) */
-  w6 /= w4;
-  /* #79: output[0][22] = @6 */
-  if (res[0]) res[0][22] = w6;
-  /* #80: @6 = @0[60] */
-  w6 = wr0[60];
-  /* #81: @6 = (@6*@1) */
-  w6 *= w1;
-  /* #82: output[0][23] = @6 */
-  if (res[0]) res[0][23] = w6;
-  /* #83: @6 = @0[61] */
-  w6 = wr0[61];
-  /* #84: @6 = (@6*@1) */
-  w6 *= w1;
-  /* #85: @6 = (@6/@3) */
-  w6 /= w3;
-  /* #86: output[0][24] = @6 */
-  if (res[0]) res[0][24] = w6;
-  /* #87: @6 = @0[62] */
-  w6 = wr0[62];
-  /* #88: @6 = (@6*@1) */
-  w6 *= w1;
-  /* #89: @6 = (@6/@3) */
-  w6 /= w3;
-  /* #90: output[0][25] = @6 */
-  if (res[0]) res[0][25] = w6;
-  /* #91: @6 = @0[64] */
-  w6 = wr0[64];
-  /* #92: @5 = (@3*@6) */
-  w5  = (w3*w6);
-  /* #93: @2 = (2.*@2) */
-  w2 = (2.* w2 );
-  /* #94: @5 = (@5/@2) */
+  /* #48: @5 = @0[49] */
+  w5 = wr0[49];
+  /* #49: @5 = (@5*@1) */
+  w5 *= w1;
+  /* #50: output[0][13] = @5 */
+  if (res[0]) res[0][13] = w5;
+  /* #51: @5 = @0[50] */
+  w5 = wr0[50];
+  /* #52: @5 = (@5*@1) */
+  w5 *= w1;
+  /* #53: output[0][14] = @5 */
+  if (res[0]) res[0][14] = w5;
+  /* #54: @5 = @0[52] */
+  w5 = wr0[52];
+  /* #55: @4 = (@5*@1) */
+  w4  = (w5*w1);
+  /* #56: output[0][15] = @4 */
+  if (res[0]) res[0][15] = w4;
+  /* #57: @5 = (@5*@1) */
+  w5 *= w1;
+  /* #58: @4 = @0[51] */
+  w4 = wr0[51];
+  /* #59: @5 = (@5/@4) */
+  w5 /= w4;
+  /* #60: output[0][16] = @5 */
+  if (res[0]) res[0][16] = w5;
+  /* #61: @5 = @0[54] */
+  w5 = wr0[54];
+  /* #62: @4 = (@5*@1) */
+  w4  = (w5*w1);
+  /* #63: output[0][17] = @4 */
+  if (res[0]) res[0][17] = w4;
+  /* #64: @5 = (@5*@1) */
+  w5 *= w1;
+  /* #65: @4 = @0[53] */
+  w4 = wr0[53];
+  /* #66: @5 = (@5/@4) */
+  w5 /= w4;
+  /* #67: output[0][18] = @5 */
+  if (res[0]) res[0][18] = w5;
+  /* #68: @5 = @0[55] */
+  w5 = wr0[55];
+  /* #69: @5 = (@5/@2) */
   w5 /= w2;
-  /* #95: output[0][26] = @5 */
-  if (res[0]) res[0][26] = w5;
-  /* #96: @3 = (@3*@6) */
-  w3 *= w6;
-  /* #97: @4 = (2.*@4) */
-  w4 = (2.* w4 );
-  /* #98: @3 = (@3/@4) */
-  w3 /= w4;
-  /* #99: output[0][27] = @3 */
-  if (res[0]) res[0][27] = w3;
-  /* #100: @3 = 2 */
-  w3 = 2.;
-  /* #101: @3 = (@6/@3) */
-  w3  = (w6/w3);
-  /* #102: output[0][28] = @3 */
-  if (res[0]) res[0][28] = w3;
-  /* #103: @3 = 2 */
-  w3 = 2.;
-  /* #104: @6 = (@6/@3) */
-  w6 /= w3;
-  /* #105: output[0][29] = @6 */
-  if (res[0]) res[0][29] = w6;
-  /* #106: @6 = @0[65] */
-  w6 = wr0[65];
-  /* #107: @6 = (@6*@1) */
-  w6 *= w1;
-  /* #108: output[0][30] = @6 */
-  if (res[0]) res[0][30] = w6;
-  /* #109: @6 = 1.01 */
-  w6 = 1.0100000000000000e+00;
-  /* #110: @3 = 930 */
-  w3 = 930.;
-  /* #111: @4 = @0[22] */
-  w4 = wr0[22];
-  /* #112: @3 = fmin(@3,@4) */
-  w3  = casadi_fmin(w3,w4);
-  /* #113: @6 = (@6*@3) */
-  w6 *= w3;
-  /* #114: output[0][31] = @6 */
-  if (res[0]) res[0][31] = w6;
-  /* #115: @6 = 1.01 */
-  w6 = 1.0100000000000000e+00;
-  /* #116: @3 = 3700 */
-  w3 = 3700.;
-  /* #117: @4 = @0[26] */
-  w4 = wr0[26];
-  /* #118: @3 = fmin(@3,@4) */
-  w3  = casadi_fmin(w3,w4);
-  /* #119: @6 = (@6*@3) */
-  w6 *= w3;
-  /* #120: output[0][32] = @6 */
-  if (res[0]) res[0][32] = w6;
-  /* #121: @6 = 1.01 */
-  w6 = 1.0100000000000000e+00;
-  /* #122: @3 = 3700 */
-  w3 = 3700.;
-  /* #123: @4 = @0[30] */
-  w4 = wr0[30];
-  /* #124: @3 = fmin(@3,@4) */
-  w3  = casadi_fmin(w3,w4);
-  /* #125: @6 = (@6*@3) */
-  w6 *= w3;
-  /* #126: output[0][33] = @6 */
-  if (res[0]) res[0][33] = w6;
-  /* #127: @6 = @0[1] */
-  w6 = wr0[1];
-  /* #128: @1 = (@1/@6) */
-  w1 /= w6;
-  /* #129: output[0][34] = @1 */
-  if (res[0]) res[0][34] = w1;
+  /* #70: output[0][19] = @5 */
+  if (res[0]) res[0][19] = w5;
+  /* #71: @5 = @0[56] */
+  w5 = wr0[56];
+  /* #72: @5 = (@5/@3) */
+  w5 /= w3;
+  /* #73: output[0][20] = @5 */
+  if (res[0]) res[0][20] = w5;
+  /* #74: @5 = @0[60] */
+  w5 = wr0[60];
+  /* #75: @5 = (@5*@1) */
+  w5 *= w1;
+  /* #76: output[0][21] = @5 */
+  if (res[0]) res[0][21] = w5;
+  /* #77: @5 = @0[61] */
+  w5 = wr0[61];
+  /* #78: @5 = (@5*@1) */
+  w5 *= w1;
+  /* #79: @4 = @0[57] */
+  w4 = wr0[57];
+  /* #80: @5 = (@5/@4) */
+  w5 /= w4;
+  /* #81: output[0][22] = @5 */
+  if (res[0]) res[0][22] = w5;
+  /* #82: @5 = @0[62] */
+  w5 = wr0[62];
+  /* #83: @5 = (@5*@1) */
+  w5 *= w1;
+  /* #84: @5 = (@5/@4) */
+  w5 /= w4;
+  /* #85: output[0][23] = @5 */
+  if (res[0]) res[0][23] = w5;
+  /* #86: @5 = @0[64] */
+  w5 = wr0[64];
+  /* #87: @6 = (@4*@5) */
+  w6  = (w4*w5);
+  /* #88: @2 = (2.*@2) */
+  w2 = (2.* w2 );
+  /* #89: @6 = (@6/@2) */
+  w6 /= w2;
+  /* #90: output[0][24] = @6 */
+  if (res[0]) res[0][24] = w6;
+  /* #91: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #92: @3 = (2.*@3) */
+  w3 = (2.* w3 );
+  /* #93: @4 = (@4/@3) */
+  w4 /= w3;
+  /* #94: output[0][25] = @4 */
+  if (res[0]) res[0][25] = w4;
+  /* #95: @4 = 2 */
+  w4 = 2.;
+  /* #96: @4 = (@5/@4) */
+  w4  = (w5/w4);
+  /* #97: output[0][26] = @4 */
+  if (res[0]) res[0][26] = w4;
+  /* #98: @4 = 2 */
+  w4 = 2.;
+  /* #99: @5 = (@5/@4) */
+  w5 /= w4;
+  /* #100: output[0][27] = @5 */
+  if (res[0]) res[0][27] = w5;
+  /* #101: @5 = @0[65] */
+  w5 = wr0[65];
+  /* #102: @5 = (@5*@1) */
+  w5 *= w1;
+  /* #103: output[0][28] = @5 */
+  if (res[0]) res[0][28] = w5;
+  /* #104: @5 = 1.01 */
+  w5 = 1.0100000000000000e+00;
+  /* #105: @4 = 930 */
+  w4 = 930.;
+  /* #106: @3 = @0[22] */
+  w3 = wr0[22];
+  /* #107: @4 = fmin(@4,@3) */
+  w4  = casadi_fmin(w4,w3);
+  /* #108: @5 = (@5*@4) */
+  w5 *= w4;
+  /* #109: output[0][29] = @5 */
+  if (res[0]) res[0][29] = w5;
+  /* #110: @5 = 1.01 */
+  w5 = 1.0100000000000000e+00;
+  /* #111: @4 = 3700 */
+  w4 = 3700.;
+  /* #112: @3 = @0[26] */
+  w3 = wr0[26];
+  /* #113: @4 = fmin(@4,@3) */
+  w4  = casadi_fmin(w4,w3);
+  /* #114: @5 = (@5*@4) */
+  w5 *= w4;
+  /* #115: output[0][30] = @5 */
+  if (res[0]) res[0][30] = w5;
+  /* #116: @5 = 1.01 */
+  w5 = 1.0100000000000000e+00;
+  /* #117: @4 = 3700 */
+  w4 = 3700.;
+  /* #118: @3 = @0[30] */
+  w3 = wr0[30];
+  /* #119: @4 = fmin(@4,@3) */
+  w4  = casadi_fmin(w4,w3);
+  /* #120: @5 = (@5*@4) */
+  w5 *= w4;
+  /* #121: output[0][31] = @5 */
+  if (res[0]) res[0][31] = w5;
+  /* #122: @5 = @0[1] */
+  w5 = wr0[1];
+  /* #123: @1 = (@1/@5) */
+  w1 /= w5;
+  /* #124: output[0][32] = @1 */
+  if (res[0]) res[0][32] = w1;
   return 0;
 }
 
@@ -428,7 +418,7 @@ CASADI_SYMBOL_EXPORT int controller_prepare_work_bytes(casadi_int *sz_arg, casad
   return 0;
 }
 
-/* controller_step:(parameters[68],derived[35],states[86],inputs[10])->(next_states[86],outputs[3]) */
+/* controller_step:(parameters[68],derived[33],states[86],inputs[10])->(next_states[86],outputs[3]) */
 static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a000, a001, a002, a003, a004, a005, a006, a007, a008, a009, a010, a011;
   casadi_real a012, a013, a014, a015, a016, a017, a018, a019, a020, a021, a022, a023;
@@ -779,29 +769,25 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a045=arg[1]? arg[1][8] : 0;
   a070=arg[2]? arg[2][83] : 0;
   a071=(a070*a003);
-  a072=arg[1]? arg[1][9] : 0;
-  a072=(a071*a072);
-  a073=arg[1]? arg[1][10] : 0;
   a026=(a027?a026:0);
   a027=(!a027);
-  a074=arg[2]? arg[2][12] : 0;
-  a027=(a027?a074:0);
+  a072=arg[2]? arg[2][12] : 0;
+  a027=(a027?a072:0);
   a026=(a026+a027);
-  a073=(a073*a026);
-  a072=(a072+a073);
-  a045=(a045*a072);
+  a027=(a071-a026);
+  a045=(a045*a027);
   a045=(a067+a045);
-  a072=arg[1]? arg[1][7] : 0;
+  a027=arg[1]? arg[1][7] : 0;
   a067=(a007-a067);
-  a067=(a072*a067);
+  a067=(a027*a067);
   a045=(a045+a067);
   a067=(a045-a007);
   a067=casadi_fabs(a067);
-  a073=arg[0]? arg[0][33] : 0;
-  a073=(a067<=a073);
-  a073=(a073?a002:0);
-  a073=(a000<a073);
-  a027=(!a073);
+  a072=arg[0]? arg[0][33] : 0;
+  a072=(a067<=a072);
+  a072=(a072?a002:0);
+  a072=(a000<a072);
+  a073=(!a072);
   a074=arg[2]? arg[2][37] : 0;
   a075=(a074+a042);
   a076=(a000*a042);
@@ -809,15 +795,15 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a076=(a075<=a076);
   a076=(!a076);
   a076=(a076?a002:0);
-  a027=(a027?a076:0);
-  a027=(a004<a027);
+  a073=(a073?a076:0);
+  a073=(a004<a073);
   a076=5004.;
-  a076=(a027?a076:0);
-  a027=(!a027);
-  a027=(a027?a046:0);
-  a076=(a076+a027);
-  a027=arg[0]? arg[0][34] : 0;
-  a077=(a067-a027);
+  a076=(a073?a076:0);
+  a073=(!a073);
+  a073=(a073?a046:0);
+  a076=(a076+a073);
+  a073=arg[0]? arg[0][34] : 0;
+  a077=(a067-a073);
   a078=arg[2]? arg[2][38] : 0;
   a078=(a007==a078);
   a079=(a000<a069);
@@ -839,7 +825,7 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a077=(a000<a069);
   a081=arg[2]? arg[2][68] : 0;
   a077=(a077?a081:0);
-  a081=arg[1]? arg[1][13] : 0;
+  a081=arg[1]? arg[1][11] : 0;
   a077=(a077-a081);
   a077=casadi_fmax(a004,a077);
   a082=arg[0]? arg[0][46] : 0;
@@ -878,7 +864,7 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a086=(!a086);
   a086=(a086?a011:0);
   a089=(a089+a086);
-  a086=arg[1]? arg[1][11] : 0;
+  a086=arg[1]? arg[1][9] : 0;
   a088=arg[2]? arg[2][84] : 0;
   a082=(a088*a003);
   a029=(a030?a029:0);
@@ -890,7 +876,7 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a086=(a086*a030);
   a086=(a089+a086);
   a089=(a011-a089);
-  a089=(a072*a089);
+  a089=(a027*a089);
   a086=(a086+a089);
   a089=(a086-a011);
   a089=casadi_fabs(a089);
@@ -973,7 +959,7 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a099=(!a099);
   a099=(a099?a017:0);
   a102=(a102+a099);
-  a099=arg[1]? arg[1][12] : 0;
+  a099=arg[1]? arg[1][10] : 0;
   a101=arg[2]? arg[2][85] : 0;
   a090=(a101*a003);
   a032=(a033?a032:0);
@@ -985,12 +971,12 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a099=(a099*a033);
   a099=(a102+a099);
   a102=(a017-a102);
-  a072=(a072*a102);
-  a099=(a099+a072);
-  a072=(a099-a017);
-  a072=casadi_fabs(a072);
+  a027=(a027*a102);
+  a099=(a099+a027);
+  a027=(a099-a017);
+  a027=casadi_fabs(a027);
   a102=arg[0]? arg[0][40] : 0;
-  a102=(a072<=a102);
+  a102=(a027<=a102);
   a102=(a102?a002:0);
   a102=(a000<a102);
   a033=(!a102);
@@ -1010,7 +996,7 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a105=(a105+a033);
   a076=casadi_fmin(a076,a105);
   a105=arg[0]? arg[0][41] : 0;
-  a033=(a072-a105);
+  a033=(a027-a105);
   a106=arg[2]? arg[2][52] : 0;
   a106=(a017==a106);
   a107=(a000<a069);
@@ -1062,20 +1048,18 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a114=(a114?a046:0);
   a111=(a111+a114);
   a076=casadi_fmin(a076,a111);
-  a067=(a067-a027);
-  a027=arg[2]? arg[2][40] : 0;
-  a027=(a026==a027);
-  a111=(a000<a069);
-  a114=arg[2]? arg[2][41] : 0;
-  a111=(a111?a114:0);
+  a067=(a067-a073);
+  a073=arg[2]? arg[2][40] : 0;
+  a073=(a026==a073);
+  a111=arg[2]? arg[2][41] : 0;
   a111=(a111+a042);
-  a027=(a027?a111:0);
-  a111=(a027-a079);
+  a073=(a073?a111:0);
+  a111=(a073-a079);
   a067=casadi_fmin(a067,a111);
   a111=-5.0000000000000003e-02;
   a114=arg[0]? arg[0][22] : 0;
   a113=(a111*a114);
-  a033=(a004<a027);
+  a033=(a004<a073);
   a115=arg[2]? arg[2][42] : 0;
   a115=(a033?a115:0);
   a033=(!a033);
@@ -1195,7 +1179,7 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a123=(a123?a046:0);
   a120=(a120+a123);
   a076=casadi_fmin(a076,a120);
-  a072=(a072-a105);
+  a027=(a027-a105);
   a105=arg[2]? arg[2][54] : 0;
   a105=(a032==a105);
   a120=(a000<a069);
@@ -1204,7 +1188,7 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a120=(a120+a042);
   a105=(a105?a120:0);
   a079=(a105-a079);
-  a072=casadi_fmin(a072,a079);
+  a027=casadi_fmin(a027,a079);
   a079=arg[0]? arg[0][30] : 0;
   a111=(a111*a079);
   a120=(a004<a105);
@@ -1216,32 +1200,32 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a090=(a090-a123);
   a090=casadi_fabs(a090);
   a111=(a111+a090);
-  a072=casadi_fmin(a072,a111);
-  a072=(a004<a072);
+  a027=casadi_fmin(a027,a111);
+  a027=(a004<a027);
   a111=3008.;
-  a111=(a072?a111:0);
-  a072=(!a072);
-  a072=(a072?a046:0);
-  a111=(a111+a072);
+  a111=(a027?a111:0);
+  a027=(!a027);
+  a027=(a027?a046:0);
+  a111=(a111+a027);
   a076=casadi_fmin(a076,a111);
   a111=(a000<a069);
-  a072=arg[2]? arg[2][65] : 0;
-  a111=(a111?a072:0);
+  a027=arg[2]? arg[2][65] : 0;
+  a111=(a111?a027:0);
   a111=(a111-a081);
   a111=casadi_fmax(a004,a111);
   a081=arg[0]? arg[0][45] : 0;
-  a072=(a000<a069);
+  a027=(a000<a069);
   a090=arg[2]? arg[2][63] : 0;
-  a090=(a072?a090:0);
-  a072=(!a072);
-  a072=(a072?a032:0);
-  a090=(a090+a072);
-  a072=(a032-a090);
-  a120=(a081<a072);
+  a090=(a027?a090:0);
+  a027=(!a027);
+  a027=(a027?a032:0);
+  a090=(a090+a027);
+  a027=(a032-a090);
+  a120=(a081<a027);
   a122=(a120?a002:0);
   a120=(!a120);
   a081=(-a081);
-  a081=(a072<a081);
+  a081=(a027<a081);
   a037=(a081?a037:0);
   a081=(!a081);
   a089=arg[2]? arg[2][64] : 0;
@@ -1325,10 +1309,10 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a124=(a124+a128);
   a076=(a076?a124:0);
   a127=(a127+a076);
-  a076=arg[1]? arg[1][28] : 0;
+  a076=arg[1]? arg[1][26] : 0;
   a076=(a076*a011);
   a076=(a076-a007);
-  a124=arg[1]? arg[1][29] : 0;
+  a124=arg[1]? arg[1][27] : 0;
   a124=(a124*a017);
   a076=(a076+a124);
   a076=(a127*a076);
@@ -1344,7 +1328,7 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a131=arg[2]? arg[2][79] : 0;
   a131=(a130?a131:0);
   a130=(!a130);
-  a132=arg[1]? arg[1][21] : 0;
+  a132=arg[1]? arg[1][19] : 0;
   a133=arg[0]? arg[0][23] : 0;
   a116=(a133*a116);
   a134=casadi_fabs(a011);
@@ -1415,7 +1399,7 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a134=(!a134);
   a134=(a134?a011:0);
   a142=(a142+a134);
-  a134=arg[1]? arg[1][15] : 0;
+  a134=arg[1]? arg[1][13] : 0;
   a141=(-a134);
   a014=(a015?a014:0);
   a015=(!a015);
@@ -1437,7 +1421,7 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a116=(a135+a029);
   a132=(a132*a116);
   a132=(a026+a132);
-  a015=arg[1]? arg[1][22] : 0;
+  a015=arg[1]? arg[1][20] : 0;
   a143=arg[0]? arg[0][27] : 0;
   a079=(a143*a079);
   a144=casadi_fabs(a017);
@@ -1472,7 +1456,7 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a136=(!a136);
   a136=(a136?a017:0);
   a144=(a144+a136);
-  a136=arg[1]? arg[1][16] : 0;
+  a136=arg[1]? arg[1][14] : 0;
   a146=(-a136);
   a020=(a021?a020:0);
   a021=(!a021);
@@ -1496,7 +1480,7 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a132=(a132+a015);
   a130=(a130?a132:0);
   a131=(a131+a130);
-  a130=arg[1]? arg[1][23] : 0;
+  a130=arg[1]? arg[1][21] : 0;
   a015=(-a130);
   a023=(a024?a023:0);
   a024=(!a024);
@@ -1518,11 +1502,11 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a015=(a000<a069);
   a024=arg[2]? arg[2][81] : 0;
   a021=(a015?a024:0);
-  a147=arg[1]? arg[1][24] : 0;
+  a147=arg[1]? arg[1][22] : 0;
   a148=(a131-a130);
   a147=(a147*a148);
   a021=(a021+a147);
-  a147=arg[1]? arg[1][25] : 0;
+  a147=arg[1]? arg[1][23] : 0;
   a147=(a147*a024);
   a147=(-a147);
   a015=(a015?a147:0);
@@ -1574,9 +1558,9 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a024=(a024+a126);
   a132=(a132?a024:0);
   a148=(a148+a132);
-  a132=arg[1]? arg[1][26] : 0;
+  a132=arg[1]? arg[1][24] : 0;
   a132=(a132*a116);
-  a116=arg[1]? arg[1][27] : 0;
+  a116=arg[1]? arg[1][25] : 0;
   a116=(a116*a079);
   a132=(a132+a116);
   a132=(a148*a132);
@@ -1589,7 +1573,7 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a114=casadi_fmin(a114,a076);
   a120=casadi_fmax(a120,a114);
   a114=casadi_fabs(a120);
-  a076=arg[1]? arg[1][31] : 0;
+  a076=arg[1]? arg[1][29] : 0;
   a114=(a114<=a076);
   a076=(a114?a002:0);
   a076=(a076<a002);
@@ -1599,7 +1583,7 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a076=(a076?a046:0);
   a124=(a124+a076);
   a076=casadi_fabs(a135);
-  a132=arg[1]? arg[1][32] : 0;
+  a132=arg[1]? arg[1][30] : 0;
   a076=(a076<=a132);
   a132=(a076?a002:0);
   a132=(a132<a002);
@@ -1610,7 +1594,7 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a116=(a116+a132);
   a124=casadi_fmin(a124,a116);
   a116=casadi_fabs(a145);
-  a132=arg[1]? arg[1][33] : 0;
+  a132=arg[1]? arg[1][31] : 0;
   a116=(a116<=a132);
   a132=(a116?a002:0);
   a132=(a132<a002);
@@ -1627,7 +1611,7 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a036=(a036+a005);
   if (res[0]!=0) res[0][0]=a036;
   a005=(a000<a036);
-  a039=arg[1]? arg[1][34] : 0;
+  a039=arg[1]? arg[1][32] : 0;
   a124=(-a039);
   a124=(a005?a124:0);
   a005=(!a005);
@@ -1774,15 +1758,15 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a074=casadi_fmin(a074,a044);
   a074=(a074-a042);
   a074=casadi_fmax(a004,a074);
-  a074=(a073?a074:0);
-  a073=(!a073);
-  a073=(a073?a075:0);
-  a074=(a074+a073);
+  a074=(a072?a074:0);
+  a072=(!a072);
+  a072=(a072?a075:0);
+  a074=(a074+a072);
   if (res[0]!=0) res[0][37]=a074;
   if (res[0]!=0) res[0][38]=a007;
   if (res[0]!=0) res[0][39]=a078;
   if (res[0]!=0) res[0][40]=a026;
-  if (res[0]!=0) res[0][41]=a027;
+  if (res[0]!=0) res[0][41]=a073;
   if (res[0]!=0) res[0][42]=a115;
   if (res[0]!=0) res[0][43]=a086;
   a091=casadi_fmin(a091,a044);
@@ -1812,7 +1796,7 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   if (res[0]!=0) res[0][54]=a032;
   if (res[0]!=0) res[0][55]=a105;
   if (res[0]!=0) res[0][56]=a123;
-  a123=arg[1]? arg[1][14] : 0;
+  a123=arg[1]? arg[1][12] : 0;
   a071=(a071*a123);
   a033=(a033+a071);
   if (res[0]!=0) res[0][57]=a033;
@@ -1823,8 +1807,8 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   if (res[0]!=0) res[0][60]=a118;
   if (res[0]!=0) res[0][61]=a121;
   if (res[0]!=0) res[0][62]=a119;
-  a072=(a072*a123);
-  a090=(a090+a072);
+  a027=(a027*a123);
+  a090=(a090+a027);
   if (res[0]!=0) res[0][63]=a090;
   if (res[0]!=0) res[0][64]=a122;
   if (res[0]!=0) res[0][65]=a111;
@@ -1849,18 +1833,18 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   if (res[0]!=0) res[0][75]=a142;
   if (res[0]!=0) res[0][76]=a144;
   a134=(a135-a134);
-  a144=arg[1]? arg[1][18] : 0;
+  a144=arg[1]? arg[1][16] : 0;
   a134=(a134*a144);
   a133=(a133+a134);
-  a134=arg[1]? arg[1][17] : 0;
+  a134=arg[1]? arg[1][15] : 0;
   a141=(a141*a134);
   a133=(a133+a141);
   if (res[0]!=0) res[0][77]=a133;
   a136=(a145-a136);
-  a133=arg[1]? arg[1][20] : 0;
+  a133=arg[1]? arg[1][18] : 0;
   a136=(a136*a133);
   a143=(a143+a136);
-  a136=arg[1]? arg[1][19] : 0;
+  a136=arg[1]? arg[1][17] : 0;
   a146=(a146*a136);
   a143=(a143+a146);
   if (res[0]!=0) res[0][78]=a143;
@@ -1874,7 +1858,7 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a004=(!a004);
   a080=arg[0]? arg[0][67] : 0;
   a021=(-a080);
-  a130=arg[1]? arg[1][30] : 0;
+  a130=arg[1]? arg[1][28] : 0;
   a147=(a147*a130);
   a128=(a128+a147);
   a080=casadi_fmin(a080,a128);
