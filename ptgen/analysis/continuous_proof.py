@@ -238,15 +238,9 @@ def equivalent_observer(gain: float, integral_gain: float, inertia: float) -> tu
     r"""Return gain and rate of the P controller with observer that rejects disturbances exactly as a PI controller.
 
     With :math:`k_p' = k_p + \hat b I` and :math:`k_i' = \hat b k_p` both have the same polynomial and the same response
-<<<<<<< HEAD
     to the disturbance (source Figure 5.16); they differ in the response to the reference, which with the observer has
     no zero and therefore does not overshoot, but stays behind a ramp (Figure 5.17). It exists if and only if the poles
     of the PI control are real (5.110); of the two poles the faster one becomes that of the observer.
-=======
-    to the disturbance; they differ in the response to the reference, which with the observer has no zero and therefore
-    does not overshoot, but stays behind a ramp (source Figures 5.16, 5.17). It exists if and only if the poles of the PI control
-    are real (5.110); of the two poles the faster one becomes that of the observer.
->>>>>>> 4ff6e32 (Twists of the locked differential belong to the machines that control torques)
 
     Parameters
     ----------
