@@ -405,14 +405,25 @@ centre_differential_locked_controller_status centre_differential_locked_controll
     s->M2_from_flange3_torque = p->M2_M3_equivalent_stiffness * p->M2_inertia_estimate * p->M3_equivalent_stiffness
         / (p->M3_inertia_estimate * ((p->M2_M3_equivalent_stiffness * p->M2_M3_equivalent_stiffness) -
         p->M2_equivalent_stiffness * p->M3_equivalent_stiffness));
-    s->M2_twist_M1_speed = -p->M3_equivalent_stiffness * (p->M2_M3_equivalent_stiffness +
+    s->M2_twist_M2_M1_speed = -p->M3_equivalent_stiffness * (p->M2_M3_equivalent_stiffness +
         p->M2_equivalent_stiffness) / (p->diff_ratio * ((p->M2_M3_equivalent_stiffness *
         p->M2_M3_equivalent_stiffness) - p->M2_equivalent_stiffness * p->M3_equivalent_stiffness));
-    s->M2_twist_M2_speed = p->M2_equivalent_stiffness * p->M3_equivalent_stiffness / ((p->M2_M3_equivalent_stiffness
-        * p->M2_M3_equivalent_stiffness) - p->M2_equivalent_stiffness * p->M3_equivalent_stiffness);
-    s->M2_twist_M3_speed = p->M2_M3_equivalent_stiffness * p->M3_equivalent_stiffness /
+    s->M2_twist_M2_M2_speed = p->M2_equivalent_stiffness * p->M3_equivalent_stiffness /
         ((p->M2_M3_equivalent_stiffness * p->M2_M3_equivalent_stiffness) - p->M2_equivalent_stiffness *
         p->M3_equivalent_stiffness);
+    s->M2_twist_M2_M3_speed = p->M2_M3_equivalent_stiffness * p->M3_equivalent_stiffness /
+        ((p->M2_M3_equivalent_stiffness * p->M2_M3_equivalent_stiffness) - p->M2_equivalent_stiffness *
+        p->M3_equivalent_stiffness);
+    s->M2_twist_M3_M1_speed = p->M2_M3_equivalent_stiffness * p->M2_inertia_estimate *
+        (p->M2_M3_equivalent_stiffness + p->M3_equivalent_stiffness) / (p->M3_inertia_estimate * p->diff_ratio *
+        ((p->M2_M3_equivalent_stiffness * p->M2_M3_equivalent_stiffness) - p->M2_equivalent_stiffness *
+        p->M3_equivalent_stiffness));
+    s->M2_twist_M3_M2_speed = -(p->M2_M3_equivalent_stiffness * p->M2_M3_equivalent_stiffness) *
+        p->M2_inertia_estimate / (p->M3_inertia_estimate * ((p->M2_M3_equivalent_stiffness *
+        p->M2_M3_equivalent_stiffness) - p->M2_equivalent_stiffness * p->M3_equivalent_stiffness));
+    s->M2_twist_M3_M3_speed = -p->M2_M3_equivalent_stiffness * p->M2_inertia_estimate * p->M3_equivalent_stiffness /
+        (p->M3_inertia_estimate * ((p->M2_M3_equivalent_stiffness * p->M2_M3_equivalent_stiffness) -
+        p->M2_equivalent_stiffness * p->M3_equivalent_stiffness));
     s->M2_torque_growth = p->M2_torque_integral_gain * p->sample_time;
     s->M2_share = p->M2_equivalent_stiffness * p->M3_equivalent_stiffness / ((p->M2_M3_equivalent_stiffness *
         p->M2_M3_equivalent_stiffness) - p->M2_equivalent_stiffness * p->M3_equivalent_stiffness);
@@ -428,15 +439,25 @@ centre_differential_locked_controller_status centre_differential_locked_controll
     s->M3_from_flange3_torque = -(p->M2_M3_equivalent_stiffness * p->M2_M3_equivalent_stiffness) /
         ((p->M2_M3_equivalent_stiffness * p->M2_M3_equivalent_stiffness) - p->M2_equivalent_stiffness *
         p->M3_equivalent_stiffness);
-    s->M3_twist_M1_speed = p->M2_M3_equivalent_stiffness * p->M3_inertia_estimate * (p->M2_M3_equivalent_stiffness +
-        p->M2_equivalent_stiffness) / (p->M2_inertia_estimate * p->diff_ratio * ((p->M2_M3_equivalent_stiffness *
-        p->M2_M3_equivalent_stiffness) - p->M2_equivalent_stiffness * p->M3_equivalent_stiffness));
-    s->M3_twist_M2_speed = -p->M2_M3_equivalent_stiffness * p->M2_equivalent_stiffness * p->M3_inertia_estimate /
+    s->M3_twist_M2_M1_speed = p->M2_M3_equivalent_stiffness * p->M3_inertia_estimate *
+        (p->M2_M3_equivalent_stiffness + p->M2_equivalent_stiffness) / (p->M2_inertia_estimate * p->diff_ratio *
+        ((p->M2_M3_equivalent_stiffness * p->M2_M3_equivalent_stiffness) - p->M2_equivalent_stiffness *
+        p->M3_equivalent_stiffness));
+    s->M3_twist_M2_M2_speed = -p->M2_M3_equivalent_stiffness * p->M2_equivalent_stiffness * p->M3_inertia_estimate /
         (p->M2_inertia_estimate * ((p->M2_M3_equivalent_stiffness * p->M2_M3_equivalent_stiffness) -
         p->M2_equivalent_stiffness * p->M3_equivalent_stiffness));
-    s->M3_twist_M3_speed = -(p->M2_M3_equivalent_stiffness * p->M2_M3_equivalent_stiffness) * p->M3_inertia_estimate
-        / (p->M2_inertia_estimate * ((p->M2_M3_equivalent_stiffness * p->M2_M3_equivalent_stiffness) -
-        p->M2_equivalent_stiffness * p->M3_equivalent_stiffness));
+    s->M3_twist_M2_M3_speed = -(p->M2_M3_equivalent_stiffness * p->M2_M3_equivalent_stiffness) *
+        p->M3_inertia_estimate / (p->M2_inertia_estimate * ((p->M2_M3_equivalent_stiffness *
+        p->M2_M3_equivalent_stiffness) - p->M2_equivalent_stiffness * p->M3_equivalent_stiffness));
+    s->M3_twist_M3_M1_speed = -p->M2_equivalent_stiffness * (p->M2_M3_equivalent_stiffness +
+        p->M3_equivalent_stiffness) / (p->diff_ratio * ((p->M2_M3_equivalent_stiffness *
+        p->M2_M3_equivalent_stiffness) - p->M2_equivalent_stiffness * p->M3_equivalent_stiffness));
+    s->M3_twist_M3_M2_speed = p->M2_M3_equivalent_stiffness * p->M2_equivalent_stiffness /
+        ((p->M2_M3_equivalent_stiffness * p->M2_M3_equivalent_stiffness) - p->M2_equivalent_stiffness *
+        p->M3_equivalent_stiffness);
+    s->M3_twist_M3_M3_speed = p->M2_equivalent_stiffness * p->M3_equivalent_stiffness /
+        ((p->M2_M3_equivalent_stiffness * p->M2_M3_equivalent_stiffness) - p->M2_equivalent_stiffness *
+        p->M3_equivalent_stiffness);
     s->M3_torque_growth = p->M3_torque_integral_gain * p->sample_time;
     s->M3_share = p->M2_equivalent_stiffness * p->M3_equivalent_stiffness / ((p->M2_M3_equivalent_stiffness *
         p->M2_M3_equivalent_stiffness) - p->M2_equivalent_stiffness * p->M3_equivalent_stiffness);

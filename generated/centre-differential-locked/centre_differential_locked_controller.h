@@ -235,9 +235,12 @@ typedef struct {
     centre_differential_locked_real M2_share_M3; /* coefficient of the virtual input of M3 */
     centre_differential_locked_real M2_from_flange2_torque; /* coefficient of flange2_torque */
     centre_differential_locked_real M2_from_flange3_torque; /* coefficient of flange3_torque */
-    centre_differential_locked_real M2_twist_M1_speed; /* coefficient of M1_speed */
-    centre_differential_locked_real M2_twist_M2_speed; /* coefficient of M2_speed */
-    centre_differential_locked_real M2_twist_M3_speed; /* coefficient of M3_speed */
+    centre_differential_locked_real M2_twist_M2_M1_speed; /* coefficient of M1_speed */
+    centre_differential_locked_real M2_twist_M2_M2_speed; /* coefficient of M2_speed */
+    centre_differential_locked_real M2_twist_M2_M3_speed; /* coefficient of M3_speed */
+    centre_differential_locked_real M2_twist_M3_M1_speed; /* coefficient of M1_speed */
+    centre_differential_locked_real M2_twist_M3_M2_speed; /* coefficient of M2_speed */
+    centre_differential_locked_real M2_twist_M3_M3_speed; /* coefficient of M3_speed */
     centre_differential_locked_real M2_torque_growth; /* growth of the integrator per error */
     centre_differential_locked_real M2_share; /* share of its virtual input in M2 */
     centre_differential_locked_real M3_with_M1; /* coefficient of the virtual input of M1 */

@@ -79,13 +79,13 @@ const centre_differential_controller_params centre_differential_controller_defau
     .M3_model_stiffness = 6851.48,
     .M3_model_damping = 114.096,
     .M3_torque_model = 1.0,
-    .cardan2_flange2_equivalent_stiffness = 9493.474505177111,
-    .flange1_cardan1_cardan2_flange2_equivalent_stiffness = -8214.194052548717,
+    .M2_M3_equivalent_stiffness = -1279.2804526283935,
+    .M2_equivalent_stiffness = 9493.474505177111,
     .diff_ratio = 1.0,
     .M2_torque_integral_gain = 10.0,
     .M2_damping_reserve = 0.1,
     .M2_torque_integral_limit = 600.0,
-    .flange1_cardan1_equivalent_stiffness = 13786.395865973578,
+    .M3_equivalent_stiffness = 6851.482266053254,
     .M3_torque_integral_gain = 10.0,
     .M3_damping_reserve = 0.1,
     .M3_torque_integral_limit = 600.0,
@@ -161,13 +161,13 @@ const centre_differential_controller_params centre_differential_controller_conve
     .M3_model_stiffness = 6851.48,
     .M3_model_damping = 114.096,
     .M3_torque_model = 0.0,
-    .cardan2_flange2_equivalent_stiffness = 9493.474505177111,
-    .flange1_cardan1_cardan2_flange2_equivalent_stiffness = -8214.194052548717,
+    .M2_M3_equivalent_stiffness = -1279.2804526283935,
+    .M2_equivalent_stiffness = 9493.474505177111,
     .diff_ratio = 1.0,
     .M2_torque_integral_gain = 0.250545,
     .M2_damping_reserve = 0.1,
     .M2_torque_integral_limit = 600.0,
-    .flange1_cardan1_equivalent_stiffness = 13786.395865973578,
+    .M3_equivalent_stiffness = 6851.482266053254,
     .M3_torque_integral_gain = 0.250545,
     .M3_damping_reserve = 0.1,
     .M3_torque_integral_limit = 600.0,
@@ -251,13 +251,13 @@ static const struct {
     { "the parameter M3_model_stiffness is outside its range", offsetof(centre_differential_controller_params, M3_model_stiffness), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M3_model_damping is outside its range", offsetof(centre_differential_controller_params, M3_model_damping), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M3_torque_model is outside its range", offsetof(centre_differential_controller_params, M3_torque_model), 0.0, 1.0, 0, 0 },
-    { "the parameter cardan2_flange2_equivalent_stiffness is outside its range", offsetof(centre_differential_controller_params, cardan2_flange2_equivalent_stiffness), 0.0, DBL_MAX, 1, 0 },
-    { "the parameter flange1_cardan1_cardan2_flange2_equivalent_stiffness is outside its range", offsetof(centre_differential_controller_params, flange1_cardan1_cardan2_flange2_equivalent_stiffness), -DBL_MAX, DBL_MAX, 0, 0 },
+    { "the parameter M2_M3_equivalent_stiffness is outside its range", offsetof(centre_differential_controller_params, M2_M3_equivalent_stiffness), -DBL_MAX, DBL_MAX, 0, 0 },
+    { "the parameter M2_equivalent_stiffness is outside its range", offsetof(centre_differential_controller_params, M2_equivalent_stiffness), 0.0, DBL_MAX, 1, 0 },
     { "the parameter diff_ratio is outside its range", offsetof(centre_differential_controller_params, diff_ratio), -DBL_MAX, DBL_MAX, 0, 1 },
     { "the parameter M2_torque_integral_gain is outside its range", offsetof(centre_differential_controller_params, M2_torque_integral_gain), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M2_damping_reserve is outside its range", offsetof(centre_differential_controller_params, M2_damping_reserve), 0.0, 1.0, 0, 0 },
     { "the parameter M2_torque_integral_limit is outside its range", offsetof(centre_differential_controller_params, M2_torque_integral_limit), 0.0, DBL_MAX, 0, 0 },
-    { "the parameter flange1_cardan1_equivalent_stiffness is outside its range", offsetof(centre_differential_controller_params, flange1_cardan1_equivalent_stiffness), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M3_equivalent_stiffness is outside its range", offsetof(centre_differential_controller_params, M3_equivalent_stiffness), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M3_torque_integral_gain is outside its range", offsetof(centre_differential_controller_params, M3_torque_integral_gain), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M3_damping_reserve is outside its range", offsetof(centre_differential_controller_params, M3_damping_reserve), 0.0, 1.0, 0, 0 },
     { "the parameter M3_torque_integral_limit is outside its range", offsetof(centre_differential_controller_params, M3_torque_integral_limit), 0.0, DBL_MAX, 0, 0 },
@@ -379,11 +379,7 @@ centre_differential_controller_status centre_differential_controller_update(cent
     s->disagreement_share = p->disagreement_leak * p->sample_time;
     s->M1_per_step = p->sample_time / p->M1_inertia;
     s->M2_per_step = p->sample_time / p->M2_inertia;
-    s->M2_balance_share = p->M2_inertia / p->M2_inertia_estimate;
-    s->M2_balance_flange2_torque = p->M2_inertia / p->M2_inertia_estimate;
     s->M3_per_step = p->sample_time / p->M3_inertia;
-    s->M3_balance_share = p->M3_inertia / p->M3_inertia_estimate;
-    s->M3_balance_flange3_torque = p->M3_inertia / p->M3_inertia_estimate;
     s->forgotten_swings = p->oscillation_frequency * p->sample_time;
     s->mean_share = 6.2832 * p->oscillation_frequency * p->sample_time;
     s->M1_speed_ref_step = p->M1_speed_ref_rate * p->sample_time;
@@ -397,19 +393,13 @@ centre_differential_controller_status centre_differential_controller_update(cent
     s->flange3_torque_ref_step = p->flange3_torque_ref_rate * p->sample_time;
     s->M3_model_pull = p->M3_model_stiffness * p->sample_time / p->M3_inertia_estimate;
     s->M3_model_drag = p->M3_model_damping * p->sample_time / p->M3_inertia_estimate;
-    s->M2_twist_M2_M1_speed = -p->flange1_cardan1_cardan2_flange2_equivalent_stiffness /
-        p->cardan2_flange2_equivalent_stiffness;
-    s->M2_twist_M2_M3_speed = (p->cardan2_flange2_equivalent_stiffness + p->diff_ratio *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) / p->cardan2_flange2_equivalent_stiffness;
+    s->M2_twist_M2_M1_speed = (p->M2_M3_equivalent_stiffness + p->M2_equivalent_stiffness) /
+        (p->M2_equivalent_stiffness * p->diff_ratio);
+    s->M2_twist_M2_M3_speed = -p->M2_M3_equivalent_stiffness / p->M2_equivalent_stiffness;
     s->M2_torque_growth = p->M2_torque_integral_gain * p->sample_time;
-    s->M3_twist_M3_M1_speed = (p->diff_ratio * p->flange1_cardan1_equivalent_stiffness +
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) / (p->cardan2_flange2_equivalent_stiffness +
-        (p->diff_ratio * p->diff_ratio) * p->flange1_cardan1_equivalent_stiffness + 2.0 * p->diff_ratio *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness);
-    s->M3_twist_M3_M2_speed = (p->cardan2_flange2_equivalent_stiffness + p->diff_ratio *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness) / (p->cardan2_flange2_equivalent_stiffness +
-        (p->diff_ratio * p->diff_ratio) * p->flange1_cardan1_equivalent_stiffness + 2.0 * p->diff_ratio *
-        p->flange1_cardan1_cardan2_flange2_equivalent_stiffness);
+    s->M3_twist_M3_M1_speed = (p->M2_M3_equivalent_stiffness + p->M3_equivalent_stiffness) /
+        (p->M3_equivalent_stiffness * p->diff_ratio);
+    s->M3_twist_M3_M2_speed = -p->M2_M3_equivalent_stiffness / p->M3_equivalent_stiffness;
     s->M3_torque_growth = p->M3_torque_integral_gain * p->sample_time;
     s->M1_largest = 1.01 * centre_differential_min(930.0, p->M1_torque_max);
     s->M2_largest = 1.01 * centre_differential_min(1200.0, p->M2_torque_max);
@@ -661,9 +651,8 @@ centre_differential_controller_status centre_differential_controller_step(centre
     /* speed from the torques on the rotor */
     const centre_differential_real M2_integrated_before = centre_differential_select(s->running > 0.5,
         s->M2_integrated, s->M2_speed_held);
-    s->M2_integrated = M2_integrated_before + s->M2_per_step * (M2_applied * s->M2_balance_share +
-        s->M2_balance_flange2_torque * s->flange2_torque_held) + s->disagreement_share * (-M2_integrated_before +
-        s->M2_speed_held);
+    s->M2_integrated = M2_integrated_before + s->M2_per_step * (M2_applied + s->flange2_torque_held) +
+        s->disagreement_share * (-M2_integrated_before + s->M2_speed_held);
     const centre_differential_real M2_difference = centre_differential_abs(s->M2_integrated - s->M2_speed_held);
     /* speed against torques */
     const centre_differential_real M2_agrees = centre_differential_select(M2_difference <= p->M2_disagreement_limit,
@@ -695,9 +684,8 @@ centre_differential_controller_status centre_differential_controller_step(centre
     /* speed from the torques on the rotor */
     const centre_differential_real M3_integrated_before = centre_differential_select(s->running > 0.5,
         s->M3_integrated, s->M3_speed_held);
-    s->M3_integrated = M3_integrated_before + s->M3_per_step * (M3_applied * s->M3_balance_share +
-        s->M3_balance_flange3_torque * s->flange3_torque_held) + s->disagreement_share * (-M3_integrated_before +
-        s->M3_speed_held);
+    s->M3_integrated = M3_integrated_before + s->M3_per_step * (M3_applied + s->flange3_torque_held) +
+        s->disagreement_share * (-M3_integrated_before + s->M3_speed_held);
     const centre_differential_real M3_difference = centre_differential_abs(s->M3_integrated - s->M3_speed_held);
     /* speed against torques */
     const centre_differential_real M3_agrees = centre_differential_select(M3_difference <= p->M3_disagreement_limit,

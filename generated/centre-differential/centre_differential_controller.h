@@ -80,13 +80,13 @@ typedef struct {
     centre_differential_real M3_model_stiffness; /* stiffness in the torque model of M3 (N m/rad) */
     centre_differential_real M3_model_damping; /* damping in the torque model of M3 (N m s/rad) */
     centre_differential_real M3_torque_model; /* switch of the torque model of M3, 0 to 1 */
-    centre_differential_real cardan2_flange2_equivalent_stiffness; /* equivalent stiffness cardan2_flange2 (N m/rad) */
-    centre_differential_real flange1_cardan1_cardan2_flange2_equivalent_stiffness; /* equivalent stiffness flange1_cardan1_cardan2_flange2 (N m/rad) */
+    centre_differential_real M2_M3_equivalent_stiffness; /* equivalent stiffness M2_M3 (N m/rad) */
+    centre_differential_real M2_equivalent_stiffness; /* equivalent stiffness M2 (N m/rad) */
     centre_differential_real diff_ratio; /* ratio i_d of input speed to mean output speed */
     centre_differential_real M2_torque_integral_gain; /* integral gain of the torque control of M2 (1/s) */
     centre_differential_real M2_damping_reserve; /* share of the torque of M2 kept for damping */
     centre_differential_real M2_torque_integral_limit; /* limit of the torque integrator of M2 (N m) */
-    centre_differential_real flange1_cardan1_equivalent_stiffness; /* equivalent stiffness flange1_cardan1 (N m/rad) */
+    centre_differential_real M3_equivalent_stiffness; /* equivalent stiffness M3 (N m/rad) */
     centre_differential_real M3_torque_integral_gain; /* integral gain of the torque control of M3 (1/s) */
     centre_differential_real M3_damping_reserve; /* share of the torque of M3 kept for damping */
     centre_differential_real M3_torque_integral_limit; /* limit of the torque integrator of M3 (N m) */
@@ -216,11 +216,7 @@ typedef struct {
     centre_differential_real disagreement_share; /* share of the difference that is forgotten per step */
     centre_differential_real M1_per_step; /* change of speed of M1 per torque in a step (rad/s/(N m)) */
     centre_differential_real M2_per_step; /* change of speed of M2 per torque in a step (rad/s/(N m)) */
-    centre_differential_real M2_balance_share; /* share of the torque of M2 on its rotor */
-    centre_differential_real M2_balance_flange2_torque; /* coefficient of flange2_torque */
     centre_differential_real M3_per_step; /* change of speed of M3 per torque in a step (rad/s/(N m)) */
-    centre_differential_real M3_balance_share; /* share of the torque of M3 on its rotor */
-    centre_differential_real M3_balance_flange3_torque; /* coefficient of flange3_torque */
     centre_differential_real forgotten_swings; /* half swings that are forgotten per step */
     centre_differential_real mean_share; /* share of a step in the mean of a torque */
     centre_differential_real M1_speed_ref_step; /* largest change of M1_speed_ref in a step (rad/s) */
@@ -347,13 +343,13 @@ typedef enum {
     centre_differential_controller_bad_M3_model_stiffness = 2066, /* outside its range */
     centre_differential_controller_bad_M3_model_damping = 2067, /* outside its range */
     centre_differential_controller_bad_M3_torque_model = 2068, /* outside its range */
-    centre_differential_controller_bad_cardan2_flange2_equivalent_stiffness = 2069, /* outside its range */
-    centre_differential_controller_bad_flange1_cardan1_cardan2_flange2_equivalent_stiffness = 2070, /* outside its range */
+    centre_differential_controller_bad_M2_M3_equivalent_stiffness = 2069, /* outside its range */
+    centre_differential_controller_bad_M2_equivalent_stiffness = 2070, /* outside its range */
     centre_differential_controller_bad_diff_ratio = 2071, /* outside its range */
     centre_differential_controller_bad_M2_torque_integral_gain = 2072, /* outside its range */
     centre_differential_controller_bad_M2_damping_reserve = 2073, /* outside its range */
     centre_differential_controller_bad_M2_torque_integral_limit = 2074, /* outside its range */
-    centre_differential_controller_bad_flange1_cardan1_equivalent_stiffness = 2075, /* outside its range */
+    centre_differential_controller_bad_M3_equivalent_stiffness = 2075, /* outside its range */
     centre_differential_controller_bad_M3_torque_integral_gain = 2076, /* outside its range */
     centre_differential_controller_bad_M3_damping_reserve = 2077, /* outside its range */
     centre_differential_controller_bad_M3_torque_integral_limit = 2078, /* outside its range */

@@ -603,6 +603,7 @@ differential_gearboxes_controller_status differential_gearboxes_controller_step(
     differential_gearboxes_lasting(M1_agrees, s->M1_disagreement_time, p->sample_time, p->hold_time,
         &s->M1_disagreement_time, &M1_disagrees);
     /* M1_speed to the last bit */
+    s->M1_speed_still_time = differential_gearboxes_select(s->running > 0.5, s->M1_speed_still_time, 0.0);
     differential_gearboxes_still(s->M1_speed_held, s->M1_speed_before, s->M1_speed_still_time, p->sample_time,
         &s->M1_speed_still_time);
     s->M1_speed_before = s->M1_speed_held;
@@ -612,6 +613,8 @@ differential_gearboxes_controller_status differential_gearboxes_controller_step(
     const differential_gearboxes_real cause_fault_M1_speed_disagreement = differential_gearboxes_select(M1_disagrees
         > 0.0, 5004.0, 9999.0);
     /* flange1_torque to the last bit */
+    s->flange1_torque_still_time = differential_gearboxes_select(s->running > 0.5, s->flange1_torque_still_time,
+        0.0);
     differential_gearboxes_still(s->flange1_torque_held, s->flange1_torque_before, s->flange1_torque_still_time,
         p->sample_time, &s->flange1_torque_still_time);
     s->flange1_torque_before = s->flange1_torque_held;

@@ -1615,7 +1615,9 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a101=(a101-a107);
   a107=arg[2]? arg[2][54] : 0;
   a107=(a038==a107);
-  a171=arg[2]? arg[2][55] : 0;
+  a171=(a000<a103);
+  a174=arg[2]? arg[2][55] : 0;
+  a171=(a171?a174:0);
   a171=(a171+a060);
   a107=(a107?a171:0);
   a171=(a107-a113);

@@ -771,7 +771,9 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a050=(a050-a056);
   a056=arg[2]? arg[2][33] : 0;
   a056=(a020==a056);
-  a081=arg[2]? arg[2][34] : 0;
+  a081=(a000<a052);
+  a084=arg[2]? arg[2][34] : 0;
+  a081=(a081?a084:0);
   a081=(a081+a033);
   a056=(a056?a081:0);
   a081=(a056-a062);

@@ -852,7 +852,9 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a077=(a067-a073);
   a078=arg[2]? arg[2][38] : 0;
   a078=(a007==a078);
-  a079=arg[2]? arg[2][39] : 0;
+  a079=(a000<a069);
+  a080=arg[2]? arg[2][39] : 0;
+  a079=(a079?a080:0);
   a079=(a079+a042);
   a078=(a078?a079:0);
   a079=arg[0]? arg[0][35] : 0;
@@ -948,7 +950,9 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a090=(a089-a093);
   a094=arg[2]? arg[2][45] : 0;
   a094=(a011==a094);
-  a095=arg[2]? arg[2][46] : 0;
+  a095=(a000<a069);
+  a096=arg[2]? arg[2][46] : 0;
+  a095=(a095?a096:0);
   a095=(a095+a042);
   a094=(a094?a095:0);
   a095=(a094-a079);
@@ -1041,7 +1045,9 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a033=(a027-a105);
   a106=arg[2]? arg[2][52] : 0;
   a106=(a017==a106);
-  a107=arg[2]? arg[2][53] : 0;
+  a107=(a000<a069);
+  a108=arg[2]? arg[2][53] : 0;
+  a107=(a107?a108:0);
   a107=(a107+a042);
   a106=(a106?a107:0);
   a107=(a106-a079);
@@ -1091,7 +1097,9 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a067=(a067-a073);
   a073=arg[2]? arg[2][40] : 0;
   a073=(a026==a073);
-  a111=arg[2]? arg[2][41] : 0;
+  a111=(a000<a069);
+  a114=arg[2]? arg[2][41] : 0;
+  a111=(a111?a114:0);
   a111=(a111+a042);
   a073=(a073?a111:0);
   a111=(a073-a079);
@@ -1156,7 +1164,9 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a089=(a089-a093);
   a093=arg[2]? arg[2][47] : 0;
   a093=(a029==a093);
-  a116=arg[2]? arg[2][48] : 0;
+  a116=(a000<a069);
+  a119=arg[2]? arg[2][48] : 0;
+  a116=(a116?a119:0);
   a116=(a116+a042);
   a093=(a093?a116:0);
   a116=(a093-a079);
@@ -1220,7 +1230,9 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a027=(a027-a105);
   a105=arg[2]? arg[2][54] : 0;
   a105=(a032==a105);
-  a120=arg[2]? arg[2][55] : 0;
+  a120=(a000<a069);
+  a123=arg[2]? arg[2][55] : 0;
+  a120=(a120?a123:0);
   a120=(a120+a042);
   a105=(a105?a120:0);
   a079=(a105-a079);

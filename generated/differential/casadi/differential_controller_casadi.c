@@ -1051,7 +1051,9 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a067=(a067-a073);
   a073=arg[2]? arg[2][40] : 0;
   a073=(a026==a073);
-  a111=arg[2]? arg[2][41] : 0;
+  a111=(a000<a069);
+  a114=arg[2]? arg[2][41] : 0;
+  a111=(a111?a114:0);
   a111=(a111+a042);
   a073=(a073?a111:0);
   a111=(a073-a079);
