@@ -3,7 +3,8 @@
 A block is a list of assignments of scalar expressions and of calls of named kernels. It has three sections:
 
 ``prepare``
-    what follows from the parameters alone; run at initialisation and whenever parameters change,
+    what follows from the parameters alone; run at initialisation and whenever parameters change, and at the start of a
+    step if an input has changed that it depends on, see `Tracked`,
 ``step``
     from inputs and states to new states and outputs,
 ``measure``
@@ -30,6 +31,7 @@ __all__ = [
     "Section",
     "Signal",
     "Statement",
+    "Tracked",
     "element",
     "parse_element",
 ]
@@ -132,6 +134,17 @@ class Fault:
 
 
 @dataclass(frozen=True)
+class Tracked:
+    """A quantity that `prepare` depends on though it changes at run time: the state `state` follows the input `input`.
+
+    A step first takes the input over into the state, and runs `prepare` again if that has changed it.
+    """
+
+    state: str
+    input: str
+
+
+@dataclass(frozen=True)
 class Block:
     """A named set of signals and statements; see the module.
 
@@ -148,6 +161,8 @@ class Block:
         What the state ``fault`` may tell; empty for blocks without supervision.
     alarms : tuple of Alarm
         What a step may have to tell though it went on.
+    tracked : tuple of Tracked
+        States that `prepare` depends on, and the inputs that they follow.
     """
 
     name: str
@@ -163,6 +178,7 @@ class Block:
     measure: tuple[Statement, ...] = ()
     faults: tuple[Fault, ...] = ()
     alarms: tuple[Alarm, ...] = ()
+    tracked: tuple[Tracked, ...] = ()
     _index: dict[str, Signal] = field(default_factory=dict, init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:

@@ -43,7 +43,7 @@ class CasadiBlock:
     Attributes
     ----------
     prepare : casadi.Function
-        ``(parameters) -> (derived)``
+        ``(parameters) -> (derived)``; tracked quantities have their initial values
     step : casadi.Function
         ``(parameters, derived, states, inputs) -> (states, outputs)``
     measure : casadi.Function
@@ -73,14 +73,24 @@ class CasadiBlock:
     def _prepare(self) -> Any:
         parameters = ca.MX.sym("parameters", sum(s.size for s in self.block.parameters))
         table = _unstack(parameters, self.block.parameters)
-        table |= {s.name: ca.MX.zeros(*_matrix_shape(s)) for s in self.block.derived + self.block.arrays}
-        self._run("prepare", table)
+        table |= {item.state: ca.MX(self.block.declared(item.state).value) for item in self.block.tracked}
+        self._prepare_again(table)
         derived = _stack(table, self.block.derived, ca.MX)
         return ca.Function(f"{self.block.name}_prepare", [parameters], [derived], ["parameters"], ["derived"])
+
+    def _prepare_again(self, table: dict[str, Any]) -> None:
+        """Run the preparation in a table, and leave its local arrays empty."""
+        arrays = {s.name: ca.MX.zeros(*_matrix_shape(s)) for s in self.block.arrays}
+        table |= {s.name: ca.MX.zeros(*_matrix_shape(s)) for s in self.block.derived} | arrays
+        self._run("prepare", table)
+        table |= arrays
 
     def _step(self) -> Any:
         symbols = self._symbols("parameters", "derived", "states", "inputs")
         table = self._table(symbols)
+        if self.block.tracked:
+            table |= {item.state: table[item.input] for item in self.block.tracked}
+            self._prepare_again(table)
         self._run("step", table)
         self._run("measure", table)
         return ca.Function(
@@ -94,6 +104,8 @@ class CasadiBlock:
     def _measure(self) -> Any:
         symbols = self._symbols("parameters", "derived", "states")
         table = self._table(symbols)
+        if self.block.tracked:
+            self._prepare_again(table)
         self._run("measure", table)
         outputs = _stack(table, self.block.outputs, self._kind)
         return ca.Function(f"{self.block.name}_measure", list(symbols.values()), [outputs], list(symbols), ["outputs"])
@@ -117,7 +129,12 @@ class CasadiBlock:
 
 
 def _kind(block: Block) -> Any:
-    """Return the type of the step's expressions: scalars, unless a kernel is a function that is called."""
+    """Return the type of the step's expressions: scalars, unless a kernel is a function that is called.
+
+    The preparation is too large for scalars; it is a part of the step if a quantity is tracked.
+    """
+    if block.tracked:
+        return ca.MX
     for statement in block.step:
         if isinstance(statement, Call) and statement.kernel == "friction_step":
             n = block.declared(statement.inputs[1]).shape[0]

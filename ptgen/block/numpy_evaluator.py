@@ -50,10 +50,13 @@ class NumpyBlock:
         """Return the default parameters."""
         return {signal.name: np.full(signal.shape, signal.value) for signal in self.block.parameters}
 
-    def prepare(self, parameters: Mapping[str, Array]) -> Values:
-        """Return what follows from the parameters."""
+    def prepare(self, parameters: Mapping[str, Array], states: Mapping[str, Array] | None = None) -> Values:
+        """Return what follows from the parameters, and from tracked quantities; these are initial without `states`."""
         table = dict(parameters)
-        batch = self._batch(parameters)
+        given = self.initial() if states is None else states
+        tracked = {item.state: given[item.state] for item in self.block.tracked}
+        batch = np.broadcast_shapes(self._batch(parameters), self._batch(tracked))
+        table |= tracked
         table |= {signal.name: np.zeros(batch + signal.shape) for signal in self.block.derived + self.block.arrays}
         self._run("prepare", table)
         return {signal.name: table[signal.name] for signal in self.block.derived}
@@ -69,6 +72,9 @@ class NumpyBlock:
         batch = self._batch(inputs) or self._batch(states)
         table: Values = {**parameters, **derived, **inputs}
         table |= {name: np.broadcast_to(value, batch + self._shape(name)).copy() for name, value in states.items()}
+        table |= {item.state: np.asarray(inputs[item.input], dtype=float) for item in self.block.tracked}
+        if self.block.tracked:
+            table |= self.prepare(parameters, table)
         table |= {signal.name: np.zeros(batch + signal.shape) for signal in self.block.arrays + self.block.outputs}
         self._run("step", table)
         self._run("measure", table)
@@ -80,6 +86,8 @@ class NumpyBlock:
         """Return the outputs that follow from the states."""
         batch = self._batch(states)
         table: Values = {**parameters, **derived, **states}
+        if self.block.tracked:
+            table |= self.prepare(parameters, states)
         table |= {signal.name: np.zeros(batch + signal.shape) for signal in self.block.arrays + self.block.outputs}
         self._run("measure", table)
         return self._pick(table)[1]

@@ -82,6 +82,7 @@ class CBlock:
         self.derived = [self._field(signal) for signal in block.derived]
         self.faults = block.faults
         self.alarms = block.alarms
+        self.tracked = block.tracked
         self.has_measure = bool(block.measure)
 
     # -- declarations

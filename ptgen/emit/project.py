@@ -7,14 +7,14 @@ from pathlib import Path
 
 from ptgen.emit.block_files import block_files, common_context
 from ptgen.emit.c_block import CBlock
-from ptgen.emit.c_expressions import Precision
+from ptgen.emit.c_expressions import Precision, literal
 from ptgen.emit.casadi_files import casadi_files
 from ptgen.emit.friction_source import uses_friction
 from ptgen.emit.templates import render
 from ptgen.files import write_files
 from ptgen.project import Project
 
-__all__ = ["RecordedSignal", "actuation_names", "generate", "project_files", "recorded_signals"]
+__all__ = ["RecordedSignal", "actuation_names", "generate", "project_files", "ratio_names", "recorded_signals"]
 
 
 @dataclass(frozen=True)
@@ -27,14 +27,14 @@ class RecordedSignal:
 
 
 def recorded_signals(project: Project) -> tuple[RecordedSignal, ...]:
-    """Return the signals of a recording: references, actuations, what the plant puts out, commands, fault."""
+    """Return the signals of a recording: references, actuations, ratios, what the plant puts out, commands, fault."""
     controller, plant = project.blocks()
-    actuations = set(actuation_names(project).values())
+    given = {*actuation_names(project).values(), *ratio_names(project).values()}
     references = set(project.design.controller.references.values())
     signals = [
         RecordedSignal(s.name, s.unit, f"run->inputs.{s.name}") for s in controller.inputs if s.name in references
     ]
-    signals += [RecordedSignal(s.name, s.unit, f"run->driven.{s.name}") for s in plant.inputs if s.name in actuations]
+    signals += [RecordedSignal(s.name, s.unit, f"run->driven.{s.name}") for s in plant.inputs if s.name in given]
     signals += [RecordedSignal(s.name, s.unit, f"run->measured.{s.name}") for s in plant.outputs]
     signals += [RecordedSignal(s.name, s.unit, f"run->commands.{s.name}") for s in controller.outputs]
     signals.append(RecordedSignal("fault", "", "run->controller.fault"))
@@ -44,6 +44,12 @@ def recorded_signals(project: Project) -> tuple[RecordedSignal, ...]:
 def actuation_names(project: Project) -> dict[str, str]:
     """Return the plant's input for each actuated friction element of the bed, in the order of the inputs."""
     wanted = {f"{name.replace('.', '_')}_actuation": name for name in project.testbed.actuated}
+    return {wanted[signal.name]: signal.name for signal in project.plant.inputs if signal.name in wanted}
+
+
+def ratio_names(project: Project) -> dict[str, str]:
+    """Return the plant's input for each gearbox whose ratio changes at run time, in the order of the inputs."""
+    wanted = {parameter.symbol.name: name for name, parameter in project.testbed.ratios.items()}
     return {wanted[signal.name]: signal.name for signal in project.plant.inputs if signal.name in wanted}
 
 
@@ -66,6 +72,8 @@ def project_files(project: Project, precision: Precision = "double") -> dict[str
     controller, plant = project.blocks()
     references = project.design.controller.references
     actuations = list(actuation_names(project).values())
+    ratios = list(ratio_names(project).values())
+    taken = {signal.name for signal in controller.inputs}
     names = {signal.name for signal in plant.outputs}
     common = common_context(prefix, Path(testbed.file).name, testbed.digest, precision)
     context: dict[str, object] = {
@@ -75,7 +83,8 @@ def project_files(project: Project, precision: Precision = "double") -> dict[str
         "references": list(references.values()),
         "measured": [signal.name for signal in controller.inputs if signal.name in names],
         "actuations": actuations,
-        "commands": [signal.name for signal in plant.inputs if signal.name not in actuations],
+        "ratios": [(name, name in taken, literal(plant.declared(name).value, "double")) for name in ratios],
+        "commands": [signal.name for signal in plant.inputs if signal.name not in (*actuations, *ratios)],
         "signals": recorded_signals(project),
         "friction": uses_friction(plant) is not None,
         "controller": CBlock(controller, prefix, precision),

@@ -1,4 +1,4 @@
-"""The plant with all friction elements free, for linear analysis."""
+"""The plant with all friction elements free and all ratios held, for linear analysis."""
 
 from __future__ import annotations
 
@@ -8,15 +8,31 @@ import sympy as sp
 
 from ptgen.block.block import Assign, Block, Call, Statement, element
 
-__all__ = ["with_free_frictions"]
+__all__ = ["with_free_frictions", "with_held_ratios"]
 
 
 def with_free_frictions(plant: Block) -> Block:
     """Return the plant in which friction elements exert their linear viscous torques only, and none ever sticks.
 
-    What is left of a plant without backlash is linear in its states.
+    Ratios that change at run time are held, see `with_held_ratios`. What is left of a plant without backlash is linear
+    in its states.
     """
+    plant = with_held_ratios(plant)
     return replace(plant, step=tuple(part for statement in plant.step for part in _freed(statement, plant)))
+
+
+def with_held_ratios(plant: Block) -> Block:
+    """Return the plant whose ratios are parameters, ``<gearbox>_ratio_now``, instead of inputs and states."""
+    states = {item.state for item in plant.tracked}
+    inputs = {item.input: item.state for item in plant.tracked}
+    held = tuple(replace(signal, name=inputs[signal.name]) for signal in plant.inputs if signal.name in inputs)
+    return replace(
+        plant,
+        parameters=(*plant.parameters, *held),
+        inputs=tuple(signal for signal in plant.inputs if signal.name not in inputs),
+        states=tuple(signal for signal in plant.states if signal.name not in states),
+        tracked=(),
+    )
 
 
 def _freed(statement: Statement, plant: Block) -> list[Statement]:

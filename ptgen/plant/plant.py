@@ -6,6 +6,10 @@ it. Computation and dead time of :math:`(d + f) h` let the command of :math:`d +
 :math:`f h` of a step, and that of :math:`d` steps ago for the rest; this too is exact. The friction torques of a step
 follow from :math:`K = -G\,\Gamma_f` by `ptgen.friction.step`, those of shafts with backlash by
 `ptgen.friction.backlash`; their capacities are those of `ptgen.plant.capacities`, at mid-step, which keeps order 2.
+
+A gear ratio that changes at run time is an input, taken over the whole step, best the value at its middle, which keeps
+order 2. With the ratio the shafts' rows :math:`E(i)` change, and all matrices are computed anew, in the steps in which
+it does change. Bodies' rows do not depend on such a ratio, so the momenta :math:`M z` stay what they are.
 """
 
 from __future__ import annotations
@@ -13,9 +17,10 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
+import numpy as np
 import sympy as sp
 
-from ptgen.block.block import Alarm, Assign, Block, Call, Signal, Statement, element, parse_element
+from ptgen.block.block import Alarm, Assign, Block, Call, Signal, Statement, Tracked, element, parse_element
 from ptgen.block.numpy_evaluator import NumpyBlock
 from ptgen.elements import Parameter
 from ptgen.friction.step import UNSOLVED
@@ -25,6 +30,7 @@ from ptgen.plant.capacities import Capacities
 from ptgen.plant.layout import Layout, identifier
 from ptgen.plant.limits import DELAY_CAPACITY, check_delays, too_fast
 from ptgen.plant.preparation import Preparation
+from ptgen.plant.ratios import NOW, corners, with_ratios_of_now
 from ptgen.plant.signals import PlantSignals
 
 __all__ = ["STANDSTILL", "plant_block"]
@@ -54,10 +60,12 @@ def plant_block(model: Model, sample_time: float, delay_capacity: int = DELAY_CA
     check_delays(model, sample_time, delay_capacity)
     block = _Plant(model, sample_time, delay_capacity).block()
     evaluator = NumpyBlock(block)
-    try:
-        evaluator.prepare(evaluator.defaults())
-    except ValueError:
-        raise too_fast(model, sample_time) from None
+    for corner in corners(model):
+        values = {f"{parameter.symbol.name}{NOW}": np.asarray(parameter.value) for parameter in corner.changing}
+        try:
+            evaluator.prepare(evaluator.defaults(), {**evaluator.initial(), **values})
+        except ValueError:
+            raise too_fast(corner, sample_time) from None
     return block
 
 
@@ -74,9 +82,12 @@ class _Plant:
         layout = self.layout
         n, n_u, n_t, width = layout.n, layout.n_u, layout.n_t, layout.n + 2 * layout.n_u
         prepare, step, measure = (
-            Preparation(self.model, self.layout, self.signals, self.sample_time).statements(),
-            self._step(),
-            self.signals.measure(),
+            with_ratios_of_now(self.model, statements)
+            for statements in (
+                Preparation(self.model, self.layout, self.signals, self.sample_time).statements(),
+                self._step(),
+                self.signals.measure(),
+            )
         )
         used = {symbol.name for statement in (*prepare, *step, *measure) for symbol in _symbols(statement)}
         parameters = [
@@ -123,6 +134,10 @@ class _Plant:
                 for m in self._names()
             ),
             *self.capacities.states(),
+            *(
+                Signal(f"{p.symbol.name}{NOW}", p.unit, f"{p.description}, in the last step", value=p.value)
+                for p in self.model.changing
+            ),
         ]
         if n_t:
             derived.append(Signal("gamma", "", "x at the end of the step per friction and contact torque", (n, n_t)))
@@ -136,7 +151,7 @@ class _Plant:
             name="plant",
             description=f"plant of the bed {self.model.name}",
             parameters=(*parameters, sample),
-            inputs=(*torques, *self.capacities.inputs()),
+            inputs=(*torques, *self.capacities.inputs(), *(_ratio_input(p) for p in self.model.changing)),
             outputs=self.signals.outputs(),
             states=tuple(states),
             derived=tuple(derived),
@@ -145,6 +160,7 @@ class _Plant:
             step=step,
             measure=measure,
             alarms=self._alarms(),
+            tracked=tuple(Tracked(f"{p.symbol.name}{NOW}", p.symbol.name) for p in self.model.changing),
         )
 
     def _declare_frictions(self, states: list[Signal], derived: list[Signal], arrays: list[Signal]) -> None:
@@ -354,6 +370,12 @@ class _Plant:
 
 def _symbols(statement: Statement) -> Sequence[sp.Symbol]:
     return tuple(statement.expression.free_symbols) if isinstance(statement, Assign) else ()
+
+
+def _ratio_input(parameter: Parameter) -> Signal:
+    least, most = parameter.span if parameter.span is not None else (None, None)
+    name, unit = parameter.symbol.name, parameter.unit
+    return Signal(name, unit, parameter.description, value=parameter.value, least=least, most=most)
 
 
 def _parameter_signal(parameter: Parameter) -> Signal:

@@ -12,6 +12,7 @@ from ptgen.elements import Sensor
 from ptgen.mechanism.dependence import is_dependent
 from ptgen.mechanism.model import LinearForm, Model, evaluate_matrix
 from ptgen.plant.layout import Layout
+from ptgen.plant.ratios import corners
 from ptgen.plant.signals import PlantSignals
 
 __all__ = ["Preparation"]
@@ -171,16 +172,20 @@ class Preparation:
 
     def _squarings(self) -> int:
         """Return how often the exponential is squared: enough for the nominal parameters, with a margin."""
-        A, B, F = self.model.numeric().state_matrices()
+        norm = max(self._norm(model) for model in corners(self.model))
+        return max(0, math.ceil(math.log2(_MARGIN * norm)))
+
+    def _norm(self, model: Model) -> float:
+        """Return the size of the exponential's argument, balanced."""
+        A, B, F = model.numeric().state_matrices()
         n_z = self.layout.n_z
         scale = np.ones(A.shape[0])
         scale[n_z:] = self.sample_time
         joined = np.hstack([A * scale[None, :], B, F]) / scale[:, None] * self.sample_time
-        values = self.model.values
-        lags = [self.sample_time / values[t.drive.time_constant] for t in self.model.inputs if t.drive.time_constant]
+        values = model.values
+        lags = [self.sample_time / values[t.drive.time_constant] for t in model.inputs if t.drive.time_constant]
         norm = max(float(np.abs(joined).sum(axis=0).max()), 2 * max(lags, default=0.0))
-        norm += sum(self.sample_time / values[time_constant] for _, time_constant in self._filtered())
-        return max(0, math.ceil(math.log2(_MARGIN * norm)))
+        return norm + sum(self.sample_time / values[time_constant] for _, time_constant in self._filtered())
 
 
 def _assign_matrix(name: str, matrix: sp.Matrix, source: str, row: int = 0) -> list[Assign]:

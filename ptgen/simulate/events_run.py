@@ -10,7 +10,8 @@ from itertools import pairwise
 import numpy as np
 
 from ptgen.emit.c_block import BAD_INPUT
-from ptgen.emit.project import actuation_names, recorded_signals
+from ptgen.emit.project import actuation_names, ratio_names, recorded_signals
+from ptgen.errors import Problem, RunError
 from ptgen.friction.events import EventDriven, EventState
 from ptgen.plant.layout import identifier, signal_name
 from ptgen.project import Project
@@ -60,10 +61,12 @@ def run_by_events(
     Raises
     ------
     RunError
-        If the bed cannot be simulated, see `ptgen.friction.events.EventDriven.advance`.
+        If a ratio changes, or the bed cannot be simulated, see `ptgen.friction.events.EventDriven.advance`.
     """
     struct, plant = loop.struct, _Plant(project, loop, profiles)
     references = [name for name in profiles if name not in plant.actuations]
+    taken = {signal.name for signal in library.controller.block.inputs}
+    references = [name for name in references if name in taken]
     measured = [signal.name for signal in library.controller.block.inputs if signal.name not in references]
     places = [signal.place.removeprefix("run->").split(".") for signal in recorded_signals(project)]
     for step in range(steps):
@@ -99,6 +102,9 @@ class _Plant:
             if name in symbols
         }
         values = {**model.values, **{symbols[name]: value for name, value in parameters.items()}}
+        self.ratios = {signal: _constant(profiles[signal], name) for name, signal in ratio_names(project).items()}
+        parameters |= self.ratios
+        values |= {symbols[name]: value for name, value in self.ratios.items()}
         self._model = model
         self._bed = EventDriven(model, parameters, lags=True)
         self._state = self._bed.initial()
@@ -116,6 +122,8 @@ class _Plant:
             setattr(driven, f"{name}_torque_ref", getattr(self._struct.commands, f"{name}_torque_ref"))
         for name, profile in self.actuations.items():
             setattr(driven, name, value_at(profile, middle))
+        for name, value in self.ratios.items():
+            setattr(driven, name, value)
 
     def advance(self, step: int) -> int:
         """Go on by one step and measure; return the status, after which the state has stayed as it was."""
@@ -164,3 +172,18 @@ class _Plant:
             found[f"{identifier(friction)}_torque"] = signals[friction.name]
             found[f"{identifier(friction)}_speed"] = float(speed)
         return found
+
+
+def _constant(profile: Profile, gearbox: str) -> float:
+    """Return the value of a ratio that stays the same.
+
+    Raises
+    ------
+    RunError
+        If it does not.
+    """
+    first = profile.value[0]
+    if any(value != first for value in profile.value):
+        what = "changes in the scenario, which the event-driven plant does not follow"
+        raise RunError(Problem(f"ratios.{gearbox}", what, "leave out --method events, or keep the ratio constant"))
+    return first

@@ -8,7 +8,7 @@ from typing import Literal
 
 import numpy as np
 
-from ptgen.emit.project import actuation_names, recorded_signals
+from ptgen.emit.project import actuation_names, ratio_names, recorded_signals
 from ptgen.errors import Problem, RunError
 from ptgen.project import Project
 from ptgen.simulate.build import build
@@ -78,7 +78,8 @@ def simulate(
     named = project.design.controller.references
     references = {signal: scenario.references[key] for key, signal in named.items()}
     actuations = {signal: scenario.actuations.get(name, _OPEN) for name, signal in actuation_names(project).items()}
-    profiles = {**references, **actuations}
+    ratios = {signal: _ratio(project, scenario, name) for name, signal in ratio_names(project).items()}
+    profiles = {**references, **actuations, **ratios}
     loop = ClosedLoop(library, list(profiles.values()), controller, parameters or {})
     recording = np.zeros((rows, len(signals)))
     start = time.perf_counter()
@@ -98,3 +99,8 @@ def simulate(
         wall_s=wall,
         sample_time=sample_time,
     )
+
+
+def _ratio(project: Project, scenario: Scenario, name: str) -> Profile:
+    """Return the course of a ratio; without one in the scenario it stays as the bed file has it."""
+    return scenario.ratios.get(name) or Profile((0.0,), (project.testbed.ratios[name].value,), "lines")

@@ -77,7 +77,10 @@ def _identifiers(name: str, component: Component) -> Iterator[str]:
     yield from (f"{name}_{flange}_torque_ref" for flange in component.flange_names())
     yield from (f"{name}_{place}_torque_ref" for place in component.place_names())
     yield from (f"{name}_{place}" for place in component.place_names())
-    yield from (parameter.symbol.name for parameter in component.parameters(name))
+    for parameter in component.parameters(name):
+        yield parameter.symbol.name
+        if parameter.span is not None:
+            yield f"{parameter.symbol.name}_now"
     yield from (sensor.name for sensor in elements.sensors)
     yield from (f"{sensor.name}_true" for sensor in elements.sensors if sensor.time_constant is not None)
     for friction in elements.frictions:

@@ -21,6 +21,8 @@ _UNITS = {"torque": "N m", "speed": "rad/s", "speed_mean": "rad/s", "speed_diffe
 
 _SHARE = Bounds(0.0, 1.0, "write 0 for open, 1 for the full capacity, or a share in between")
 
+_RATIO = '{ time = ["0 s", "1 s"], value = [1.0, 2.0] }'
+
 _PROFILE_KEYS = frozenset({*Points.model_fields, *Recording.model_fields})
 
 _ACTUATION = '{ time = ["0 s", "1 s"], value = [0, 1] }'
@@ -48,6 +50,9 @@ class Scenario:
     actuations : mapping of str to Profile
         Name of an actuated friction element -> its actuation, 0 (open) to 1 (full capacity); a scenario that was read
         has one for each of them, and one that is not there stays open.
+    ratios : mapping of str to Profile
+        Name of a gearbox whose ratio changes at run time -> its ratio; a scenario that was read has one for each of
+        them, and one that is not there keeps the ratio of the bed file.
     title, description : str
         What it shows.
     """
@@ -61,6 +66,7 @@ class Scenario:
     actuations: Mapping[str, Profile] = field(default_factory=dict)
     title: str = ""
     description: str = ""
+    ratios: Mapping[str, Profile] = field(default_factory=dict)
 
 
 class ScenarioSection(Record):
@@ -89,7 +95,7 @@ def load_scenario(path: str | PathLike[str], testbed: Testbed) -> Scenario:
     """
     document = read_toml(path, "scenario file")
     tables = document.tables
-    known = ("scenario", "references", "actuations")
+    known = ("scenario", "references", "actuations", "ratios")
     problems = [
         Problem(dotted(key), "is an unknown section", nearest(key, known)) for key in tables if key not in known
     ]
@@ -107,6 +113,8 @@ def load_scenario(path: str | PathLike[str], testbed: Testbed) -> Scenario:
     problems += found
     actuations, found = _actuations(tables.get("actuations", {}), testbed, folder)
     problems += found
+    ratios, found = _ratios(tables.get("ratios", {}), testbed, folder)
+    problems += found
     if problems or section is None:
         raise TestbedError(problems, document.file)
     return Scenario(
@@ -117,6 +125,7 @@ def load_scenario(path: str | PathLike[str], testbed: Testbed) -> Scenario:
         record_every=section.record_every,
         references=references,
         actuations=actuations,
+        ratios=ratios,
         title=section.title,
         description=section.description,
     )
@@ -253,4 +262,37 @@ def _no_actuation(name: str, where: str, testbed: Testbed) -> Problem:
         return Problem(where, what, remedy)
     what = f'{shown(name)} is no friction element of the bed "{testbed.name}"'
     remedy = nearest(name, actuated) if actuated else "leave it out: no friction element of the bed is actuated"
+    return Problem(where, what, remedy)
+
+
+def _ratios(table: object, testbed: Testbed, folder: Path) -> tuple[dict[str, Profile], list[Problem]]:
+    """Read ``[ratios]``; a gearbox without an entry keeps the ratio of the bed file."""
+    changing = testbed.ratios
+    ratios = {name: Profile((0.0,), (parameter.value,), "lines") for name, parameter in changing.items()}
+    if not isinstance(table, dict):
+        remedy = f"write [ratios] with gearbox = {_RATIO}"
+        return ratios, [Problem("ratios", f"must be a table, got {shown(table)}", remedy)]
+    problems: list[Problem] = []
+    for name, entry in table.items():
+        parameter = changing.get(name)
+        if parameter is None or parameter.span is None:
+            problems.append(_no_ratio(name, testbed))
+            continue
+        least, most = parameter.span
+        remedy = f"stay within ratio_range of [{dotted('components', name)}] in the bed, or widen it"
+        profile, found = read_profile(entry, "", folder, "ratios", name, bounds=Bounds(least, most, remedy))
+        problems += found
+        if profile is not None:
+            ratios[name] = profile
+    return ratios, problems
+
+
+def _no_ratio(name: str, testbed: Testbed) -> Problem:
+    where, changing = dotted("ratios", name), testbed.ratios
+    if "ratio_range" in getattr(type(testbed.components.get(name)), "model_fields", {}):
+        what = f'the ratio of "{name}" of the bed "{testbed.name}" is constant'
+        remedy = f"write ratio_range in [{dotted('components', name)}] of the bed, or leave it out"
+        return Problem(where, what, remedy)
+    what = f'{shown(name)} is no gearbox of the bed "{testbed.name}" with a ratio that changes'
+    remedy = nearest(name, changing) if changing else "leave it out: no ratio of the bed changes"
     return Problem(where, what, remedy)

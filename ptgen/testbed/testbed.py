@@ -9,7 +9,7 @@ from typing import Annotated, Literal
 from pydantic import Field, field_validator
 
 from ptgen.components.component import Component, Quantity, Record
-from ptgen.elements import Friction
+from ptgen.elements import Friction, Parameter
 from ptgen.testbed.feedback import LossMap, SpeedControl, SpeedControlName
 
 __all__ = ["Connection", "ReductionSettings", "Roles", "Structure", "Testbed", "Tuning"]
@@ -198,6 +198,16 @@ class Testbed:
     def frictions(self) -> tuple[Friction, ...]:
         """The friction elements of all components, in the order of the file."""
         return tuple(f for name, component in self.components.items() for f in component.elements(name).frictions)
+
+    @property
+    def ratios(self) -> dict[str, Parameter]:
+        """The ratios that change at run time, by the names of their gearboxes in the order of the file."""
+        return {
+            name: parameter
+            for name, component in self.components.items()
+            for parameter in component.parameters(name)
+            if parameter.span is not None
+        }
 
     @property
     def actuated(self) -> tuple[str, ...]:
