@@ -67,7 +67,8 @@ def run_by_events(
     references = [name for name in profiles if name not in plant.actuations]
     taken = {signal.name for signal in library.controller.block.inputs}
     references = [name for name in references if name in taken]
-    measured = [signal.name for signal in library.controller.block.inputs if signal.name not in references]
+    known = {signal.name for signal in library.plant.block.outputs}
+    measured = [signal.name for signal in library.controller.block.inputs if signal.name in known]
     places = [signal.place.removeprefix("run->").split(".") for signal in recorded_signals(project)]
     for step in range(steps):
         time = step * plant.sample_time
