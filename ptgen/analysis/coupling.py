@@ -29,7 +29,7 @@ class Coupling:
     Attributes
     ----------
     references : tuple of str (m)
-        As a scenario names them: ``torque.M1``, ``speed.M2``.
+        As a scenario names them: ``torque.M1``, ``speed.M2``, ``speed_mean.rear``.
     rms : ndarray (m, m)
         Root mean square over the horizon of the quantity of the row while the reference of the column moves: per
         N m of a step of a torque, per rad/s^2 of a speed's acceleration. The diagonal is not a number.
@@ -52,7 +52,7 @@ class Coupling:
             (float(self.rms[i, j]), of, by)
             for i, of in enumerate(self.references)
             for j, by in enumerate(self.references)
-            if i != j and of.startswith(f"{disturbed}.") and by.startswith(f"{moved}.")
+            if i != j and of.startswith(disturbed) and by.startswith(moved)
         ]
         return max(pairs, default=None)
 
@@ -100,7 +100,7 @@ class ReferencedLoop:
 def referenced_loop(
     controller: Linearisation,
     plant: Linearisation,
-    references: Mapping[str, tuple[str, str]],
+    references: Mapping[str, tuple[str, Mapping[str, float]]],
     parameters: Mapping[str, float],
 ) -> ReferencedLoop:
     """Close the loop of controller and plant.
@@ -108,8 +108,8 @@ def referenced_loop(
     Parameters
     ----------
     controller, plant : Linearisation
-    references : mapping of str to (str, str)
-        Reference of a scenario -> the controller's input and the plant's output that should follow it.
+    references : mapping of str to (str, mapping)
+        Reference of a scenario -> the controller's input, and the shares of the plant's outputs in what should follow.
     parameters : mapping
         Parameters that differ from the defaults.
     """
@@ -124,7 +124,8 @@ def referenced_loop(
     A = np.block([[G.A + drive @ D_y @ G.C, drive @ K.C], [B_y @ G.C, K.A]])
     asked = [K.inputs.index(given) for given, _ in references.values()]
     B = np.vstack([drive @ K.D[:, asked], K.B[:, asked]])
-    C = np.hstack([G.C, np.zeros((len(G.outputs), n_c))])[[G.outputs.index(seen) for _, seen in references.values()]]
+    follows = np.array([[shares.get(name, 0.0) for name in G.outputs] for _, shares in references.values()])
+    C = np.hstack([follows @ G.C, np.zeros((len(references), n_c))])
     h = next(signal.value for signal in plant.block.parameters if signal.name == "sample_time")
     return ReferencedLoop(A, B, C, tuple(references), h)
 
@@ -171,7 +172,7 @@ def _run(
 ) -> Coupling:
     """Let every reference move on its own; `held` if speeds are given by a constant acceleration already."""
     m, steps = len(references), max(1, round(horizon / h))
-    ramped = np.array([name.startswith("speed.") and not held for name in references])
+    ramped = np.array([name.startswith("speed") and not held for name in references])
     x, total = np.zeros((len(A), m)), np.zeros((m, m))
     for k in range(steps):
         x = A @ x + B * np.where(ramped, k * h, 1.0)

@@ -422,15 +422,20 @@ def _levers(
     return tuple(levers)
 
 
-def _followed(project: Project) -> dict[str, tuple[str, str]]:
-    """Return the controller's input and the plant's output of every reference."""
-    decoupling = project.design.decoupling
+def _followed(project: Project) -> dict[str, tuple[str, dict[str, float]]]:
+    """Return the controller's input of every reference, and the shares of the plant's outputs in what follows it."""
+    decoupling, pairs = project.design.decoupling, project.testbed.tuning.speed_pairs
     owners = [decoupling.machines[machine] for machine in decoupling.actuators]
+    shares = {"speed_mean": (0.5, 0.5), "speed_difference": (1.0, -1.0)}
     result = {}
     for reference, signal in project.design.controller.references.items():
-        kind, _, machine = reference.partition(".")
-        place = decoupling.outputs[owners.index(machine)]
-        result[reference] = (signal, signal_name(place) if kind == "torque" else place)
+        kind, _, name = reference.partition(".")
+        if kind in shares:
+            seen = [decoupling.outputs[owners.index(machine)] for machine in pairs[name]]
+            result[reference] = (signal, dict(zip(seen, shares[kind], strict=True)))
+            continue
+        place = decoupling.outputs[owners.index(name)]
+        result[reference] = (signal, {signal_name(place) if kind == "torque" else place: 1.0})
     return result
 
 
