@@ -35,7 +35,8 @@ HEAD = """# Validation
 Runs of ptgen beside the simulations and measurements of the source. The controllers are the emitted ones, compiled; the
 plants are the full ones, with friction, lag and dead time. The source's curves are known from pictures only: what is
 compared is what its text says and what its axes and captions give. Its references are drawn anew. Beds and
-values that the source does not give are marked in the bed files (`assumed`).
+values that the source does not give are marked in the bed files (`assumed`). The supervision that stops a bed when its
+torques swing ([controller.md](controller.md)) is switched off, so that the swings can be seen.
 
 Written by `make validation` from `docs/make_validation.py`; each figure can be run again on its own.
 """

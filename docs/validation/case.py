@@ -108,11 +108,11 @@ def course(duration: float, every: float, references: Mapping[str, Profile]) -> 
 def run(
     project: Project, scenario: Scenario, parameters: Mapping[str, float] | None = None, conventional: bool = False
 ) -> Recording:
-    """Run a scenario with other parameters."""
+    """Run a scenario with other parameters, and without the supervision that would stop a bed that swings."""
     controller = "conventional" if conventional else "decoupling"
-    return simulate(
-        project, scenario, controller=controller, parameters=dict(parameters or {}), library=library(project)
-    )
+    limits = [signal.name for signal in project.controller.parameters if signal.name.endswith("_oscillation_limit")]
+    given = dict.fromkeys(limits, 1e9) | dict(parameters or {})
+    return simulate(project, scenario, controller=controller, parameters=given, library=library(project))
 
 
 def rms(values: Array) -> float:

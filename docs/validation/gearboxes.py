@@ -438,7 +438,7 @@ CASES = (
         "Agrees in kind: the play multiplies the oscillation that the change of sign excites, and with damping it is "
         "gone as soon as the gap has closed. The play of the measured bed is not printed; 3 degrees at the input "
         "cardan shaft stand for all of it. The run is shortened, the conventional controller is that of Figure 5.12 "
-        "with 0.32 /s, and no one shuts the bed down.",
+        "with 0.32 /s, and its supervision is off.",
         _figure_6_2,
     ),
 )
