@@ -34,6 +34,7 @@ TORQUE_BEDS = [
     "differential",
     "differential_gearboxes",
     "differential_output_torque",
+    "transmission_fixed_gear",
 ]
 """The shipped beds that control one torque."""
 

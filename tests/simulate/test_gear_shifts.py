@@ -1,0 +1,37 @@
+"""Shifts without load: the acceleration torque for the changing ratio (5.46), (5.62) brings M1 to its new speed."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from ptgen.project import Project
+from ptgen.simulate.run import simulate
+from ptgen.testbed import load_scenario
+
+SHIFTS = (5.3, 9.3, 13.3)
+
+
+@pytest.mark.compile
+def test_shift_hardly_loads_the_transmission(projects: dict[str, Project], root: Path) -> None:
+    """Section 5.8.2: less synchronisation is left; without the term M1 is dragged to its speed by the shafts."""
+    project = projects["transmission_fixed_gear"]
+    scenario = load_scenario(root / "scenarios" / "transmission-fixed-gear-run.toml", project.testbed)
+    peaks = {}
+    for name, controller, parameters in (
+        ("whole", "decoupling", {}),
+        ("without term", "decoupling", {"acceleration_torque": 0.0}),
+        ("conventional", "conventional", {}),
+    ):
+        recording = simulate(project, scenario, controller=controller, parameters=parameters)
+        error = recording.signals["gearbox_input_torque"] - recording.signals["gearbox_input_torque_ref"]
+        t = recording.time
+        peaks[name] = np.array([np.abs(error[(t > start) & (t < start + 0.35)]).max() for start in SHIFTS])
+        speed = recording.signals["M1_speed"] / recording.signals["M2_speed"]
+        assert [float(np.interp(start + 0.6, t, speed)) for start in SHIFTS] == pytest.approx(
+            [2.1, 1.67, 2.1], rel=1e-2
+        )
+    assert np.all(peaks["without term"] > 5 * peaks["whole"]), peaks
+    assert np.all(peaks["conventional"] > 5 * peaks["whole"]), peaks
