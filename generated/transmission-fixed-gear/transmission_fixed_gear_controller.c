@@ -1,0 +1,708 @@
+/*
+ * transmission_fixed_gear_controller.c: controller of the bed transmission_fixed_gear
+ *
+ * Emitted by ptgen 0.1.0 from transmission-fixed-gear.toml (SHA-256 ccd2b8cca096cd29), template block.c.jinja.
+ * Do not edit: change the test bed file and emit again. This code belongs to whoever emitted it.
+ */
+#include "transmission_fixed_gear_controller.h"
+
+#include <float.h>
+#include <string.h>
+
+const transmission_fixed_gear_controller_params transmission_fixed_gear_controller_defaults = {
+    .sample_time = 0.0001,
+    .fault_ramp = 0.05,
+    .hold_time = 0.001,
+    .gearbox_input_torque_ref_plausible = 5270.0,
+    .M2_speed_ref_plausible = 706.8583470577036,
+    .gearbox_ratio_plausible = 7.050000000000001,
+    .M1_speed_plausible = 1256.637061435917,
+    .flange1_torque_plausible = 5270.0,
+    .flange2_torque_plausible = 16500.0,
+    .M2_speed_plausible = 706.8583470577036,
+    .M1_overspeed = 921.5,
+    .M2_overspeed = 518.4,
+    .load_compensation = 1.0,
+    .acceleration_torque = 1.0,
+    .switch_time = 0.5,
+    .M1_damping = 70.2744,
+    .M1_speed_rated = 335.103216382911,
+    .M1_speed_max = 837.758040957278,
+    .M1_speed_taper = 41.8879,
+    .M1_torque_max = 900.0,
+    .M2_speed_rated = 104.71975511966,
+    .M2_speed_max = 471.238898038469,
+    .M2_speed_taper = 23.5619,
+    .M2_torque_max = 3300.0,
+    .gearbox_ratio_least = 0.65,
+    .gearbox_ratio_most = 4.7,
+    .gearbox_ratio_rate = 8.1,
+    .disagreement_leak = 5.0,
+    .M1_inertia = 0.4,
+    .M1_disagreement_limit = 90.0,
+    .M1_frozen_limit = 22.5,
+    .frozen_time = 0.01,
+    .M2_inertia = 4.5,
+    .M2_disagreement_limit = 29.3,
+    .M2_frozen_limit = 7.33,
+    .oscillation_frequency = 9.34,
+    .flange1_torque_oscillation_limit = 900.0,
+    .flange2_torque_oscillation_limit = 3300.0,
+    .M1_torque_ref_oscillation_limit = 450.0,
+    .M2_torque_ref_oscillation_limit = 1650.0,
+    .M2_speed_ref_rate = 733.333,
+    .M2_speed_gain = 112.5,
+    .M2_speed_integral_gain = 703.125,
+    .M1_sensor_inertia_M2 = -0.0313,
+    .M1_inertia_estimate = 0.41,
+    .M1_feedforward = 1.0,
+    .M1_torque_gain = 0.0,
+    .gearbox_input_torque_ref_rate = 90355.1,
+    .M1_model_stiffness = 3011.27,
+    .M1_model_damping = 70.2744,
+    .M1_torque_model = 1.0,
+    .M1_torque_integral_gain = 15.0,
+    .M1_damping_reserve = 0.1,
+    .M1_torque_integral_limit = 450.0,
+};
+
+const transmission_fixed_gear_controller_params transmission_fixed_gear_controller_conventional = {
+    .sample_time = 0.0001,
+    .fault_ramp = 0.05,
+    .hold_time = 0.001,
+    .gearbox_input_torque_ref_plausible = 5270.0,
+    .M2_speed_ref_plausible = 706.8583470577036,
+    .gearbox_ratio_plausible = 7.050000000000001,
+    .M1_speed_plausible = 1256.637061435917,
+    .flange1_torque_plausible = 5270.0,
+    .flange2_torque_plausible = 16500.0,
+    .M2_speed_plausible = 706.8583470577036,
+    .M1_overspeed = 921.5,
+    .M2_overspeed = 518.4,
+    .load_compensation = 0.0,
+    .acceleration_torque = 0.0,
+    .switch_time = 0.5,
+    .M1_damping = 0.0,
+    .M1_speed_rated = 335.103216382911,
+    .M1_speed_max = 837.758040957278,
+    .M1_speed_taper = 41.8879,
+    .M1_torque_max = 900.0,
+    .M2_speed_rated = 104.71975511966,
+    .M2_speed_max = 471.238898038469,
+    .M2_speed_taper = 23.5619,
+    .M2_torque_max = 3300.0,
+    .gearbox_ratio_least = 0.65,
+    .gearbox_ratio_most = 4.7,
+    .gearbox_ratio_rate = 8.1,
+    .disagreement_leak = 5.0,
+    .M1_inertia = 0.4,
+    .M1_disagreement_limit = 90.0,
+    .M1_frozen_limit = 22.5,
+    .frozen_time = 0.01,
+    .M2_inertia = 4.5,
+    .M2_disagreement_limit = 29.3,
+    .M2_frozen_limit = 7.33,
+    .oscillation_frequency = 9.34,
+    .flange1_torque_oscillation_limit = 900.0,
+    .flange2_torque_oscillation_limit = 3300.0,
+    .M1_torque_ref_oscillation_limit = 450.0,
+    .M2_torque_ref_oscillation_limit = 1650.0,
+    .M2_speed_ref_rate = 733.333,
+    .M2_speed_gain = 112.5,
+    .M2_speed_integral_gain = 703.125,
+    .M1_sensor_inertia_M2 = -0.0313,
+    .M1_inertia_estimate = 0.41,
+    .M1_feedforward = 1.0,
+    .M1_torque_gain = 0.0,
+    .gearbox_input_torque_ref_rate = 90355.1,
+    .M1_model_stiffness = 3011.27,
+    .M1_model_damping = 70.2744,
+    .M1_torque_model = 0.0,
+    .M1_torque_integral_gain = 0.450137,
+    .M1_damping_reserve = 0.1,
+    .M1_torque_integral_limit = 450.0,
+};
+
+/* Range of each parameter; `open` excludes the lower bound. The order is that of the status codes. */
+static const struct {
+    const char *text;
+    size_t offset;
+    transmission_fixed_gear_real least;
+    transmission_fixed_gear_real most;
+    int open;
+    int not_zero;
+} limits[] = {
+    { "the parameter sample_time is outside its range", offsetof(transmission_fixed_gear_controller_params, sample_time), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter fault_ramp is outside its range", offsetof(transmission_fixed_gear_controller_params, fault_ramp), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter hold_time is outside its range", offsetof(transmission_fixed_gear_controller_params, hold_time), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter gearbox_input_torque_ref_plausible is outside its range", offsetof(transmission_fixed_gear_controller_params, gearbox_input_torque_ref_plausible), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_speed_ref_plausible is outside its range", offsetof(transmission_fixed_gear_controller_params, M2_speed_ref_plausible), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter gearbox_ratio_plausible is outside its range", offsetof(transmission_fixed_gear_controller_params, gearbox_ratio_plausible), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_speed_plausible is outside its range", offsetof(transmission_fixed_gear_controller_params, M1_speed_plausible), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter flange1_torque_plausible is outside its range", offsetof(transmission_fixed_gear_controller_params, flange1_torque_plausible), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter flange2_torque_plausible is outside its range", offsetof(transmission_fixed_gear_controller_params, flange2_torque_plausible), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_speed_plausible is outside its range", offsetof(transmission_fixed_gear_controller_params, M2_speed_plausible), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_overspeed is outside its range", offsetof(transmission_fixed_gear_controller_params, M1_overspeed), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_overspeed is outside its range", offsetof(transmission_fixed_gear_controller_params, M2_overspeed), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter load_compensation is outside its range", offsetof(transmission_fixed_gear_controller_params, load_compensation), 0.0, 1.0, 0, 0 },
+    { "the parameter acceleration_torque is outside its range", offsetof(transmission_fixed_gear_controller_params, acceleration_torque), 0.0, 1.0, 0, 0 },
+    { "the parameter switch_time is outside its range", offsetof(transmission_fixed_gear_controller_params, switch_time), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_damping is outside its range", offsetof(transmission_fixed_gear_controller_params, M1_damping), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter M1_speed_rated is outside its range", offsetof(transmission_fixed_gear_controller_params, M1_speed_rated), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_speed_max is outside its range", offsetof(transmission_fixed_gear_controller_params, M1_speed_max), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_speed_taper is outside its range", offsetof(transmission_fixed_gear_controller_params, M1_speed_taper), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_torque_max is outside its range", offsetof(transmission_fixed_gear_controller_params, M1_torque_max), 0.0, 900.0, 1, 0 },
+    { "the parameter M2_speed_rated is outside its range", offsetof(transmission_fixed_gear_controller_params, M2_speed_rated), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_speed_max is outside its range", offsetof(transmission_fixed_gear_controller_params, M2_speed_max), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_speed_taper is outside its range", offsetof(transmission_fixed_gear_controller_params, M2_speed_taper), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_torque_max is outside its range", offsetof(transmission_fixed_gear_controller_params, M2_torque_max), 0.0, 3300.0, 1, 0 },
+    { "the parameter gearbox_ratio_least is outside its range", offsetof(transmission_fixed_gear_controller_params, gearbox_ratio_least), -DBL_MAX, DBL_MAX, 0, 1 },
+    { "the parameter gearbox_ratio_most is outside its range", offsetof(transmission_fixed_gear_controller_params, gearbox_ratio_most), -DBL_MAX, DBL_MAX, 0, 1 },
+    { "the parameter gearbox_ratio_rate is outside its range", offsetof(transmission_fixed_gear_controller_params, gearbox_ratio_rate), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter disagreement_leak is outside its range", offsetof(transmission_fixed_gear_controller_params, disagreement_leak), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter M1_inertia is outside its range", offsetof(transmission_fixed_gear_controller_params, M1_inertia), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_disagreement_limit is outside its range", offsetof(transmission_fixed_gear_controller_params, M1_disagreement_limit), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_frozen_limit is outside its range", offsetof(transmission_fixed_gear_controller_params, M1_frozen_limit), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter frozen_time is outside its range", offsetof(transmission_fixed_gear_controller_params, frozen_time), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter M2_inertia is outside its range", offsetof(transmission_fixed_gear_controller_params, M2_inertia), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_disagreement_limit is outside its range", offsetof(transmission_fixed_gear_controller_params, M2_disagreement_limit), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_frozen_limit is outside its range", offsetof(transmission_fixed_gear_controller_params, M2_frozen_limit), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter oscillation_frequency is outside its range", offsetof(transmission_fixed_gear_controller_params, oscillation_frequency), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter flange1_torque_oscillation_limit is outside its range", offsetof(transmission_fixed_gear_controller_params, flange1_torque_oscillation_limit), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter flange2_torque_oscillation_limit is outside its range", offsetof(transmission_fixed_gear_controller_params, flange2_torque_oscillation_limit), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_torque_ref_oscillation_limit is outside its range", offsetof(transmission_fixed_gear_controller_params, M1_torque_ref_oscillation_limit), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_torque_ref_oscillation_limit is outside its range", offsetof(transmission_fixed_gear_controller_params, M2_torque_ref_oscillation_limit), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_speed_ref_rate is outside its range", offsetof(transmission_fixed_gear_controller_params, M2_speed_ref_rate), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_speed_gain is outside its range", offsetof(transmission_fixed_gear_controller_params, M2_speed_gain), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M2_speed_integral_gain is outside its range", offsetof(transmission_fixed_gear_controller_params, M2_speed_integral_gain), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter M1_sensor_inertia_M2 is outside its range", offsetof(transmission_fixed_gear_controller_params, M1_sensor_inertia_M2), -DBL_MAX, DBL_MAX, 0, 0 },
+    { "the parameter M1_inertia_estimate is outside its range", offsetof(transmission_fixed_gear_controller_params, M1_inertia_estimate), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_feedforward is outside its range", offsetof(transmission_fixed_gear_controller_params, M1_feedforward), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter M1_torque_gain is outside its range", offsetof(transmission_fixed_gear_controller_params, M1_torque_gain), -1.0, DBL_MAX, 1, 0 },
+    { "the parameter gearbox_input_torque_ref_rate is outside its range", offsetof(transmission_fixed_gear_controller_params, gearbox_input_torque_ref_rate), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter M1_model_stiffness is outside its range", offsetof(transmission_fixed_gear_controller_params, M1_model_stiffness), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter M1_model_damping is outside its range", offsetof(transmission_fixed_gear_controller_params, M1_model_damping), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter M1_torque_model is outside its range", offsetof(transmission_fixed_gear_controller_params, M1_torque_model), 0.0, 1.0, 0, 0 },
+    { "the parameter M1_torque_integral_gain is outside its range", offsetof(transmission_fixed_gear_controller_params, M1_torque_integral_gain), 0.0, DBL_MAX, 0, 0 },
+    { "the parameter M1_damping_reserve is outside its range", offsetof(transmission_fixed_gear_controller_params, M1_damping_reserve), 0.0, 1.0, 0, 0 },
+    { "the parameter M1_torque_integral_limit is outside its range", offsetof(transmission_fixed_gear_controller_params, M1_torque_integral_limit), 0.0, DBL_MAX, 0, 0 },
+};
+
+enum { limit_count = sizeof limits / sizeof limits[0] };
+
+const char *transmission_fixed_gear_controller_status_text(transmission_fixed_gear_controller_status status)
+{
+    switch ((int)status) {
+    case transmission_fixed_gear_controller_ok:
+        return "ok";
+    case transmission_fixed_gear_controller_fault_gearbox_input_torque_ref:
+        return "gearbox_input_torque_ref: not finite or not plausible";
+    case transmission_fixed_gear_controller_fault_M2_speed_ref:
+        return "M2_speed_ref: not finite or not plausible";
+    case transmission_fixed_gear_controller_fault_gearbox_ratio:
+        return "gearbox_ratio: not finite or not plausible";
+    case transmission_fixed_gear_controller_fault_M1_speed:
+        return "M1_speed: not finite or not plausible";
+    case transmission_fixed_gear_controller_fault_flange1_torque:
+        return "flange1_torque: not finite or not plausible";
+    case transmission_fixed_gear_controller_fault_flange2_torque:
+        return "flange2_torque: not finite or not plausible";
+    case transmission_fixed_gear_controller_fault_M2_speed:
+        return "M2_speed: not finite or not plausible";
+    case transmission_fixed_gear_controller_fault_M1_speed_overspeed:
+        return "M1_speed: overspeed";
+    case transmission_fixed_gear_controller_fault_M2_speed_overspeed:
+        return "M2_speed: overspeed";
+    case transmission_fixed_gear_controller_fault_M1_speed_frozen:
+        return "M1_speed: frozen while the torques accelerate the machine";
+    case transmission_fixed_gear_controller_fault_M1_speed_disagreement:
+        return "M1_speed: disagrees with the integrated torque";
+    case transmission_fixed_gear_controller_fault_flange1_torque_frozen:
+        return "flange1_torque: frozen while the torque of the machine changes";
+    case transmission_fixed_gear_controller_fault_M2_speed_frozen:
+        return "M2_speed: frozen while the torques accelerate the machine";
+    case transmission_fixed_gear_controller_fault_M2_speed_disagreement:
+        return "M2_speed: disagrees with the integrated torque";
+    case transmission_fixed_gear_controller_fault_flange2_torque_frozen:
+        return "flange2_torque: frozen while the torque of the machine changes";
+    case transmission_fixed_gear_controller_fault_flange1_torque_oscillation:
+        return "flange1_torque: oscillates beyond its limit";
+    case transmission_fixed_gear_controller_fault_flange2_torque_oscillation:
+        return "flange2_torque: oscillates beyond its limit";
+    case transmission_fixed_gear_controller_fault_M1_torque_ref_oscillation:
+        return "M1_torque_ref: the command oscillates";
+    case transmission_fixed_gear_controller_fault_M2_torque_ref_oscillation:
+        return "M2_torque_ref: the command oscillates";
+    case transmission_fixed_gear_controller_fault_M1_torque_ref:
+        return "M1_torque_ref: the command is not finite, or beyond the torque of the machine";
+    case transmission_fixed_gear_controller_fault_M2_torque_ref:
+        return "M2_torque_ref: the command is not finite, or beyond the torque of the machine";
+    default:
+        break;
+    }
+    const int limit = (int)status - 2000;
+    return limit >= 0 && limit < limit_count ? limits[limit].text : "unknown status";
+}
+
+transmission_fixed_gear_controller_status transmission_fixed_gear_controller_init(transmission_fixed_gear_controller_state *s, const transmission_fixed_gear_controller_params *p)
+{
+    memset(s, 0, sizeof *s);
+    s->authority = 1.0;
+    s->gearbox_input_torque_ref_bad_time = 1e+30;
+    s->M2_speed_ref_bad_time = 1e+30;
+    s->gearbox_ratio_bad_time = 1e+30;
+    s->M1_speed_bad_time = 1e+30;
+    s->flange1_torque_bad_time = 1e+30;
+    s->flange2_torque_bad_time = 1e+30;
+    s->M2_speed_bad_time = 1e+30;
+    s->reset_before = 1.0;
+    const transmission_fixed_gear_controller_status status = transmission_fixed_gear_controller_update(s, p);
+    if (status != transmission_fixed_gear_controller_ok) {
+        s->authority = 0.0; /* never started: no torque at all */
+    }
+    return status;
+}
+
+transmission_fixed_gear_controller_status transmission_fixed_gear_controller_update(transmission_fixed_gear_controller_state *s, const transmission_fixed_gear_controller_params *p)
+{
+    for (int k = 0; k < limit_count; ++k) {
+        const transmission_fixed_gear_real value = *(const transmission_fixed_gear_real *)(const void *)((const char *)p + limits[k].offset);
+        const int above = limits[k].open ? value > limits[k].least : value >= limits[k].least; /* false for NaN */
+        if (!(above && value <= limits[k].most) || (limits[k].not_zero && value == 0.0)) {
+            s->fault = s->fault > 0.0 ? s->fault : TRANSMISSION_FIXED_GEAR_REAL(2000 + k); /* latched like any fault */
+            s->refused = 1.0; /* no reset before an update succeeds */
+            return (transmission_fixed_gear_controller_status)(2000 + k);
+        }
+    }
+    s->switch_share = p->sample_time / p->switch_time;
+    s->M1_taper_slope = 1.0 / p->M1_speed_taper;
+    s->M1_taper_end = p->M1_speed_max / p->M1_speed_taper + 1.0;
+    s->M2_taper_slope = 1.0 / p->M2_speed_taper;
+    s->M2_taper_end = p->M2_speed_max / p->M2_speed_taper + 1.0;
+    s->gearbox_ratio_step = p->gearbox_ratio_rate * p->sample_time;
+    s->steps_per_second = 1.0 / p->sample_time;
+    s->disagreement_share = p->disagreement_leak * p->sample_time;
+    s->M1_per_step = p->sample_time / p->M1_inertia;
+    s->M2_per_step = p->sample_time / p->M2_inertia;
+    s->forgotten_swings = p->oscillation_frequency * p->sample_time;
+    s->mean_share = 6.2832 * p->oscillation_frequency * p->sample_time;
+    s->M2_speed_ref_step = p->M2_speed_ref_rate * p->sample_time;
+    s->M2_speed_growth = p->M2_speed_integral_gain * p->sample_time;
+    s->M2_speed_conditioning = p->M2_speed_integral_gain * p->sample_time / p->M2_speed_gain;
+    s->M1_unread_M2 = p->M1_sensor_inertia_M2 / p->M2_inertia;
+    s->gearbox_input_torque_ref_step = p->gearbox_input_torque_ref_rate * p->sample_time;
+    s->M1_model_pull = p->M1_model_stiffness * p->sample_time / p->M1_inertia_estimate;
+    s->M1_model_drag = p->M1_model_damping * p->sample_time / p->M1_inertia_estimate;
+    s->M1_torque_growth = p->M1_torque_integral_gain * p->sample_time;
+    s->M1_largest = 1.01 * transmission_fixed_gear_min(900.0, p->M1_torque_max);
+    s->M2_largest = 1.01 * transmission_fixed_gear_min(3300.0, p->M2_torque_max);
+    s->ramp_step = p->sample_time / p->fault_ramp;
+    s->refused = 0.0;
+    return transmission_fixed_gear_controller_ok;
+}
+
+transmission_fixed_gear_controller_status transmission_fixed_gear_controller_step(transmission_fixed_gear_controller_state *s, const transmission_fixed_gear_controller_params *p,
+    const transmission_fixed_gear_controller_inputs *in, transmission_fixed_gear_controller_outputs *out)
+{
+    /* supervision: bad samples are bridged */
+    transmission_fixed_gear_real gearbox_input_torque_ref_sound;
+    transmission_fixed_gear_guard(in->gearbox_input_torque_ref, p->gearbox_input_torque_ref_plausible,
+        s->gearbox_input_torque_ref_held, &s->gearbox_input_torque_ref_held, &gearbox_input_torque_ref_sound);
+    transmission_fixed_gear_real gearbox_input_torque_ref_lost;
+    transmission_fixed_gear_lasting(gearbox_input_torque_ref_sound, s->gearbox_input_torque_ref_bad_time,
+        p->sample_time, p->hold_time, &s->gearbox_input_torque_ref_bad_time, &gearbox_input_torque_ref_lost);
+    const transmission_fixed_gear_real cause_fault_gearbox_input_torque_ref =
+        transmission_fixed_gear_select(gearbox_input_torque_ref_lost > 0.0, 1.0, 9999.0);
+    transmission_fixed_gear_real M2_speed_ref_sound;
+    transmission_fixed_gear_guard(in->M2_speed_ref, p->M2_speed_ref_plausible, s->M2_speed_ref_held,
+        &s->M2_speed_ref_held, &M2_speed_ref_sound);
+    transmission_fixed_gear_real M2_speed_ref_lost;
+    transmission_fixed_gear_lasting(M2_speed_ref_sound, s->M2_speed_ref_bad_time, p->sample_time, p->hold_time,
+        &s->M2_speed_ref_bad_time, &M2_speed_ref_lost);
+    const transmission_fixed_gear_real cause_fault_M2_speed_ref = transmission_fixed_gear_select(M2_speed_ref_lost >
+        0.0, 2.0, 9999.0);
+    transmission_fixed_gear_real gearbox_ratio_sound;
+    transmission_fixed_gear_guard(in->gearbox_ratio, p->gearbox_ratio_plausible, s->gearbox_ratio_held,
+        &s->gearbox_ratio_held, &gearbox_ratio_sound);
+    transmission_fixed_gear_real gearbox_ratio_lost;
+    transmission_fixed_gear_lasting(gearbox_ratio_sound, s->gearbox_ratio_bad_time, p->sample_time, p->hold_time,
+        &s->gearbox_ratio_bad_time, &gearbox_ratio_lost);
+    const transmission_fixed_gear_real cause_fault_gearbox_ratio = transmission_fixed_gear_select(gearbox_ratio_lost
+        > 0.0, 3.0, 9999.0);
+    transmission_fixed_gear_real M1_speed_sound;
+    transmission_fixed_gear_guard(in->M1_speed, p->M1_speed_plausible, s->M1_speed_held, &s->M1_speed_held,
+        &M1_speed_sound);
+    transmission_fixed_gear_real M1_speed_lost;
+    transmission_fixed_gear_lasting(M1_speed_sound, s->M1_speed_bad_time, p->sample_time, p->hold_time,
+        &s->M1_speed_bad_time, &M1_speed_lost);
+    const transmission_fixed_gear_real cause_fault_M1_speed = transmission_fixed_gear_select(M1_speed_lost > 0.0,
+        4.0, 9999.0);
+    transmission_fixed_gear_real flange1_torque_sound;
+    transmission_fixed_gear_guard(in->flange1_torque, p->flange1_torque_plausible, s->flange1_torque_held,
+        &s->flange1_torque_held, &flange1_torque_sound);
+    transmission_fixed_gear_real flange1_torque_lost;
+    transmission_fixed_gear_lasting(flange1_torque_sound, s->flange1_torque_bad_time, p->sample_time, p->hold_time,
+        &s->flange1_torque_bad_time, &flange1_torque_lost);
+    const transmission_fixed_gear_real cause_fault_flange1_torque =
+        transmission_fixed_gear_select(flange1_torque_lost > 0.0, 5.0, 9999.0);
+    transmission_fixed_gear_real flange2_torque_sound;
+    transmission_fixed_gear_guard(in->flange2_torque, p->flange2_torque_plausible, s->flange2_torque_held,
+        &s->flange2_torque_held, &flange2_torque_sound);
+    transmission_fixed_gear_real flange2_torque_lost;
+    transmission_fixed_gear_lasting(flange2_torque_sound, s->flange2_torque_bad_time, p->sample_time, p->hold_time,
+        &s->flange2_torque_bad_time, &flange2_torque_lost);
+    const transmission_fixed_gear_real cause_fault_flange2_torque =
+        transmission_fixed_gear_select(flange2_torque_lost > 0.0, 6.0, 9999.0);
+    transmission_fixed_gear_real M2_speed_sound;
+    transmission_fixed_gear_guard(in->M2_speed, p->M2_speed_plausible, s->M2_speed_held, &s->M2_speed_held,
+        &M2_speed_sound);
+    transmission_fixed_gear_real M2_speed_lost;
+    transmission_fixed_gear_lasting(M2_speed_sound, s->M2_speed_bad_time, p->sample_time, p->hold_time,
+        &s->M2_speed_bad_time, &M2_speed_lost);
+    const transmission_fixed_gear_real cause_fault_M2_speed = transmission_fixed_gear_select(M2_speed_lost > 0.0,
+        7.0, 9999.0);
+    /* overspeed */
+    const transmission_fixed_gear_real M1_slow_enough = transmission_fixed_gear_select(p->M1_overspeed >=
+        transmission_fixed_gear_abs(s->M1_speed_held), 1.0, 0.0);
+    transmission_fixed_gear_real M1_too_fast;
+    transmission_fixed_gear_lasting(M1_slow_enough, s->M1_overspeed_time, p->sample_time, p->hold_time,
+        &s->M1_overspeed_time, &M1_too_fast);
+    const transmission_fixed_gear_real cause_fault_M1_speed_overspeed = transmission_fixed_gear_select(M1_too_fast >
+        0.0, 4004.0, 9999.0);
+    const transmission_fixed_gear_real M2_slow_enough = transmission_fixed_gear_select(p->M2_overspeed >=
+        transmission_fixed_gear_abs(s->M2_speed_held), 1.0, 0.0);
+    transmission_fixed_gear_real M2_too_fast;
+    transmission_fixed_gear_lasting(M2_slow_enough, s->M2_overspeed_time, p->sample_time, p->hold_time,
+        &s->M2_overspeed_time, &M2_too_fast);
+    const transmission_fixed_gear_real cause_fault_M2_speed_overspeed = transmission_fixed_gear_select(M2_too_fast >
+        0.0, 4007.0, 9999.0);
+    /* reset on request, when the cause is gone */
+    const transmission_fixed_gear_real reset_pressed =
+        transmission_fixed_gear_select(transmission_fixed_gear_abs(in->reset - 1.0) <= 0.5, 1.0, 0.0);
+    const transmission_fixed_gear_real inputs_sound =
+        transmission_fixed_gear_min(transmission_fixed_gear_min(transmission_fixed_gear_min(transmission_fixed_gear_min(M1_slow_enough,
+        M1_speed_sound), transmission_fixed_gear_min(M2_slow_enough, M2_speed_ref_sound)),
+        transmission_fixed_gear_min(transmission_fixed_gear_min(M2_speed_sound, flange1_torque_sound),
+        transmission_fixed_gear_min(flange2_torque_sound, gearbox_input_torque_ref_sound))), gearbox_ratio_sound);
+    const transmission_fixed_gear_real latched = transmission_fixed_gear_select(s->fault > 0.5, 1.0, 0.0);
+    s->reset_request = inputs_sound * latched * (1.0 - s->refused) * transmission_fixed_gear_max(s->reset_request,
+        -s->reset_before + reset_pressed);
+    s->reset_before = reset_pressed;
+    s->fault = s->fault * (1.0 - transmission_fixed_gear_select(s->authority <= 0.0, s->reset_request, 0.0));
+    s->reset_request = transmission_fixed_gear_select(s->fault > 0.5, s->reset_request, 0.0);
+    /* the first fault is latched */
+    const transmission_fixed_gear_real cause_of_inputs =
+        transmission_fixed_gear_min(transmission_fixed_gear_min(transmission_fixed_gear_min(transmission_fixed_gear_min(cause_fault_M1_speed,
+        cause_fault_M1_speed_overspeed), transmission_fixed_gear_min(cause_fault_M2_speed,
+        cause_fault_M2_speed_overspeed)),
+        transmission_fixed_gear_min(transmission_fixed_gear_min(cause_fault_M2_speed_ref,
+        cause_fault_flange1_torque), transmission_fixed_gear_min(cause_fault_flange2_torque,
+        cause_fault_gearbox_input_torque_ref))), cause_fault_gearbox_ratio);
+    s->fault = transmission_fixed_gear_select(s->fault > 0.5, s->fault,
+        transmission_fixed_gear_select(cause_of_inputs > 9998.0, 0.0, cause_of_inputs));
+    /* load_compensation follows its parameter along a ramp */
+    const transmission_fixed_gear_real load_compensation_before = transmission_fixed_gear_select(s->running > 0.5,
+        s->load_compensation_now, p->load_compensation);
+    const transmission_fixed_gear_real load_compensation_distance = p->load_compensation - load_compensation_before;
+    const transmission_fixed_gear_real load_compensation_moved = transmission_fixed_gear_select(p->load_compensation
+        != s->load_compensation_target, transmission_fixed_gear_max(s->switch_share *
+        transmission_fixed_gear_abs(load_compensation_distance), 1e-06 *
+        transmission_fixed_gear_abs(p->load_compensation) + 1e-06 *
+        transmission_fixed_gear_abs(load_compensation_before)), s->load_compensation_step);
+    s->load_compensation_now = transmission_fixed_gear_select(load_compensation_distance > load_compensation_moved,
+        load_compensation_before + load_compensation_moved,
+        transmission_fixed_gear_select(load_compensation_distance < -load_compensation_moved,
+        load_compensation_before - load_compensation_moved, p->load_compensation));
+    s->load_compensation_step = transmission_fixed_gear_select(load_compensation_moved <
+        transmission_fixed_gear_abs(load_compensation_distance), load_compensation_moved, 0.0);
+    s->load_compensation_target = p->load_compensation;
+    /* acceleration_torque follows its parameter along a ramp */
+    const transmission_fixed_gear_real acceleration_torque_before = transmission_fixed_gear_select(s->running > 0.5,
+        s->acceleration_torque_now, p->acceleration_torque);
+    const transmission_fixed_gear_real acceleration_torque_distance = p->acceleration_torque -
+        acceleration_torque_before;
+    const transmission_fixed_gear_real acceleration_torque_moved =
+        transmission_fixed_gear_select(p->acceleration_torque != s->acceleration_torque_target,
+        transmission_fixed_gear_max(s->switch_share * transmission_fixed_gear_abs(acceleration_torque_distance),
+        1e-06 * transmission_fixed_gear_abs(p->acceleration_torque) + 1e-06 *
+        transmission_fixed_gear_abs(acceleration_torque_before)), s->acceleration_torque_step);
+    s->acceleration_torque_now = transmission_fixed_gear_select(acceleration_torque_distance >
+        acceleration_torque_moved, acceleration_torque_before + acceleration_torque_moved,
+        transmission_fixed_gear_select(acceleration_torque_distance < -acceleration_torque_moved,
+        acceleration_torque_before - acceleration_torque_moved, p->acceleration_torque));
+    s->acceleration_torque_step = transmission_fixed_gear_select(acceleration_torque_moved <
+        transmission_fixed_gear_abs(acceleration_torque_distance), acceleration_torque_moved, 0.0);
+    s->acceleration_torque_target = p->acceleration_torque;
+    /* M1_damping follows its parameter along a ramp */
+    const transmission_fixed_gear_real M1_damping_before = transmission_fixed_gear_select(s->running > 0.5,
+        s->M1_damping_now, p->M1_damping);
+    const transmission_fixed_gear_real M1_damping_distance = p->M1_damping - M1_damping_before;
+    const transmission_fixed_gear_real M1_damping_moved = transmission_fixed_gear_select(p->M1_damping !=
+        s->M1_damping_target, transmission_fixed_gear_max(s->switch_share *
+        transmission_fixed_gear_abs(M1_damping_distance), 1e-06 * transmission_fixed_gear_abs(p->M1_damping) + 1e-06
+        * transmission_fixed_gear_abs(M1_damping_before)), s->M1_damping_step);
+    s->M1_damping_now = transmission_fixed_gear_select(M1_damping_distance > M1_damping_moved, M1_damping_before +
+        M1_damping_moved, transmission_fixed_gear_select(M1_damping_distance < -M1_damping_moved, M1_damping_before
+        - M1_damping_moved, p->M1_damping));
+    s->M1_damping_step = transmission_fixed_gear_select(M1_damping_moved <
+        transmission_fixed_gear_abs(M1_damping_distance), M1_damping_moved, 0.0);
+    s->M1_damping_target = p->M1_damping;
+    /* torque-speed envelope, Figure 7.1 */
+    const transmission_fixed_gear_real M1_available = p->M1_speed_rated * p->M1_torque_max /
+        transmission_fixed_gear_max(p->M1_speed_rated, transmission_fixed_gear_abs(s->M1_speed_held));
+    const transmission_fixed_gear_real M1_least = -M1_available * transmission_fixed_gear_max(0.0,
+        transmission_fixed_gear_min(1.0, s->M1_speed_held * s->M1_taper_slope + s->M1_taper_end));
+    const transmission_fixed_gear_real M1_most = M1_available * transmission_fixed_gear_max(0.0,
+        transmission_fixed_gear_min(1.0, -s->M1_speed_held * s->M1_taper_slope + s->M1_taper_end));
+    const transmission_fixed_gear_real M2_available = p->M2_speed_rated * p->M2_torque_max /
+        transmission_fixed_gear_max(p->M2_speed_rated, transmission_fixed_gear_abs(s->M2_speed_held));
+    const transmission_fixed_gear_real M2_least = -M2_available * transmission_fixed_gear_max(0.0,
+        transmission_fixed_gear_min(1.0, s->M2_speed_held * s->M2_taper_slope + s->M2_taper_end));
+    const transmission_fixed_gear_real M2_most = M2_available * transmission_fixed_gear_max(0.0,
+        transmission_fixed_gear_min(1.0, -s->M2_speed_held * s->M2_taper_slope + s->M2_taper_end));
+    /* range and rate of the ratio */
+    const transmission_fixed_gear_real gearbox_ratio_inside = transmission_fixed_gear_max(p->gearbox_ratio_least,
+        transmission_fixed_gear_min(s->gearbox_ratio_held, p->gearbox_ratio_most));
+    /* limit of the rate */
+    const transmission_fixed_gear_real gearbox_ratio_before = transmission_fixed_gear_select(s->running > 0.5,
+        s->gearbox_ratio_limited, gearbox_ratio_inside);
+    s->gearbox_ratio_limited = gearbox_ratio_before + transmission_fixed_gear_max(-s->gearbox_ratio_step,
+        transmission_fixed_gear_min(s->gearbox_ratio_step, -gearbox_ratio_before + gearbox_ratio_inside));
+    const transmission_fixed_gear_real gearbox_ratio_change = s->steps_per_second * (-gearbox_ratio_before +
+        s->gearbox_ratio_limited);
+    /* torque commands of the step before */
+    const transmission_fixed_gear_real M1_applied = s->M1_last * s->authority;
+    const transmission_fixed_gear_real M2_applied = s->M2_last * s->authority;
+    /* speed from the torques on the rotor */
+    const transmission_fixed_gear_real M1_integrated_before = transmission_fixed_gear_select(s->running > 0.5,
+        s->M1_integrated, s->M1_speed_held);
+    s->M1_integrated = M1_integrated_before + s->M1_per_step * (M1_applied - s->flange1_torque_held) +
+        s->disagreement_share * (-M1_integrated_before + s->M1_speed_held);
+    const transmission_fixed_gear_real M1_difference = transmission_fixed_gear_abs(s->M1_integrated -
+        s->M1_speed_held);
+    /* speed against torques */
+    const transmission_fixed_gear_real M1_agrees = transmission_fixed_gear_select(M1_difference <=
+        p->M1_disagreement_limit, 1.0, 0.0);
+    transmission_fixed_gear_real M1_disagrees;
+    transmission_fixed_gear_lasting(M1_agrees, s->M1_disagreement_time, p->sample_time, p->hold_time,
+        &s->M1_disagreement_time, &M1_disagrees);
+    /* M1_speed to the last bit */
+    s->M1_speed_still_time = transmission_fixed_gear_select(s->running > 0.5, s->M1_speed_still_time, 0.0);
+    transmission_fixed_gear_still(s->M1_speed_held, s->M1_speed_before, s->M1_speed_still_time, p->sample_time,
+        &s->M1_speed_still_time);
+    s->M1_speed_before = s->M1_speed_held;
+    const transmission_fixed_gear_real cause_fault_M1_speed_frozen =
+        transmission_fixed_gear_select(transmission_fixed_gear_min(M1_difference - p->M1_frozen_limit,
+        s->M1_speed_still_time - p->frozen_time) > 0.0, 3004.0, 9999.0);
+    const transmission_fixed_gear_real cause_fault_M1_speed_disagreement =
+        transmission_fixed_gear_select(M1_disagrees > 0.0, 5004.0, 9999.0);
+    /* flange1_torque to the last bit */
+    s->flange1_torque_still_time = transmission_fixed_gear_select(s->running > 0.5, s->flange1_torque_still_time,
+        0.0);
+    transmission_fixed_gear_still(s->flange1_torque_held, s->flange1_torque_before, s->flange1_torque_still_time,
+        p->sample_time, &s->flange1_torque_still_time);
+    s->flange1_torque_before = s->flange1_torque_held;
+    s->flange1_torque_command = transmission_fixed_gear_select(s->flange1_torque_still_time > 0.0,
+        s->flange1_torque_command, M1_applied);
+    const transmission_fixed_gear_real cause_fault_flange1_torque_frozen =
+        transmission_fixed_gear_select(transmission_fixed_gear_min(transmission_fixed_gear_min(M1_difference -
+        p->M1_frozen_limit, s->flange1_torque_still_time - p->frozen_time), -0.05 * p->M1_torque_max +
+        transmission_fixed_gear_abs(M1_applied - s->flange1_torque_command)) > 0.0, 3005.0, 9999.0);
+    /* speed from the torques on the rotor */
+    const transmission_fixed_gear_real M2_integrated_before = transmission_fixed_gear_select(s->running > 0.5,
+        s->M2_integrated, s->M2_speed_held);
+    s->M2_integrated = M2_integrated_before + s->M2_per_step * (M2_applied + s->flange2_torque_held) +
+        s->disagreement_share * (-M2_integrated_before + s->M2_speed_held);
+    const transmission_fixed_gear_real M2_difference = transmission_fixed_gear_abs(s->M2_integrated -
+        s->M2_speed_held);
+    /* speed against torques */
+    const transmission_fixed_gear_real M2_agrees = transmission_fixed_gear_select(M2_difference <=
+        p->M2_disagreement_limit, 1.0, 0.0);
+    transmission_fixed_gear_real M2_disagrees;
+    transmission_fixed_gear_lasting(M2_agrees, s->M2_disagreement_time, p->sample_time, p->hold_time,
+        &s->M2_disagreement_time, &M2_disagrees);
+    /* M2_speed to the last bit */
+    s->M2_speed_still_time = transmission_fixed_gear_select(s->running > 0.5, s->M2_speed_still_time, 0.0);
+    transmission_fixed_gear_still(s->M2_speed_held, s->M2_speed_before, s->M2_speed_still_time, p->sample_time,
+        &s->M2_speed_still_time);
+    s->M2_speed_before = s->M2_speed_held;
+    const transmission_fixed_gear_real cause_fault_M2_speed_frozen =
+        transmission_fixed_gear_select(transmission_fixed_gear_min(M2_difference - p->M2_frozen_limit,
+        s->M2_speed_still_time - p->frozen_time) > 0.0, 3007.0, 9999.0);
+    const transmission_fixed_gear_real cause_fault_M2_speed_disagreement =
+        transmission_fixed_gear_select(M2_disagrees > 0.0, 5007.0, 9999.0);
+    /* flange2_torque to the last bit */
+    s->flange2_torque_still_time = transmission_fixed_gear_select(s->running > 0.5, s->flange2_torque_still_time,
+        0.0);
+    transmission_fixed_gear_still(s->flange2_torque_held, s->flange2_torque_before, s->flange2_torque_still_time,
+        p->sample_time, &s->flange2_torque_still_time);
+    s->flange2_torque_before = s->flange2_torque_held;
+    s->flange2_torque_command = transmission_fixed_gear_select(s->flange2_torque_still_time > 0.0,
+        s->flange2_torque_command, M2_applied);
+    const transmission_fixed_gear_real cause_fault_flange2_torque_frozen =
+        transmission_fixed_gear_select(transmission_fixed_gear_min(transmission_fixed_gear_min(M2_difference -
+        p->M2_frozen_limit, s->flange2_torque_still_time - p->frozen_time), -0.05 * p->M2_torque_max +
+        transmission_fixed_gear_abs(M2_applied - s->flange2_torque_command)) > 0.0, 3006.0, 9999.0);
+    /* oscillation of flange1_torque */
+    const transmission_fixed_gear_real flange1_torque_mean_before = transmission_fixed_gear_select(s->running > 0.5,
+        s->flange1_torque_mean, s->flange1_torque_held);
+    const transmission_fixed_gear_real flange1_torque_swing = s->flange1_torque_held - flange1_torque_mean_before;
+    s->flange1_torque_mean = flange1_torque_mean_before + flange1_torque_swing * s->mean_share;
+    s->flange1_torque_swings = transmission_fixed_gear_select(s->running > 0.5, s->flange1_torque_swings, 0.0);
+    transmission_fixed_gear_swings(flange1_torque_swing, p->flange1_torque_oscillation_limit,
+        s->flange1_torque_side, s->flange1_torque_swings, s->forgotten_swings, &s->flange1_torque_side,
+        &s->flange1_torque_swings);
+    const transmission_fixed_gear_real cause_fault_flange1_torque_oscillation =
+        transmission_fixed_gear_select(s->flange1_torque_swings - 5.5 > 0.0, 6005.0, 9999.0);
+    /* oscillation of flange2_torque */
+    const transmission_fixed_gear_real flange2_torque_mean_before = transmission_fixed_gear_select(s->running > 0.5,
+        s->flange2_torque_mean, s->flange2_torque_held);
+    const transmission_fixed_gear_real flange2_torque_swing = s->flange2_torque_held - flange2_torque_mean_before;
+    s->flange2_torque_mean = flange2_torque_mean_before + flange2_torque_swing * s->mean_share;
+    s->flange2_torque_swings = transmission_fixed_gear_select(s->running > 0.5, s->flange2_torque_swings, 0.0);
+    transmission_fixed_gear_swings(flange2_torque_swing, p->flange2_torque_oscillation_limit,
+        s->flange2_torque_side, s->flange2_torque_swings, s->forgotten_swings, &s->flange2_torque_side,
+        &s->flange2_torque_swings);
+    const transmission_fixed_gear_real cause_fault_flange2_torque_oscillation =
+        transmission_fixed_gear_select(s->flange2_torque_swings - 5.5 > 0.0, 6006.0, 9999.0);
+    /* oscillation of M1_torque_ref */
+    const transmission_fixed_gear_real M1_torque_ref_mean_before = transmission_fixed_gear_select(s->running > 0.5,
+        s->M1_torque_ref_mean, 0.0);
+    const transmission_fixed_gear_real M1_torque_ref_swing = M1_applied - M1_torque_ref_mean_before;
+    s->M1_torque_ref_mean = M1_torque_ref_mean_before + M1_torque_ref_swing * s->mean_share;
+    s->M1_torque_ref_swings = transmission_fixed_gear_select(s->running > 0.5, s->M1_torque_ref_swings, 0.0);
+    transmission_fixed_gear_swings(M1_torque_ref_swing, p->M1_torque_ref_oscillation_limit, s->M1_torque_ref_side,
+        s->M1_torque_ref_swings, s->forgotten_swings, &s->M1_torque_ref_side, &s->M1_torque_ref_swings);
+    const transmission_fixed_gear_real cause_fault_M1_torque_ref_oscillation =
+        transmission_fixed_gear_select(s->M1_torque_ref_swings - 5.5 > 0.0, 8001.0, 9999.0);
+    /* oscillation of M2_torque_ref */
+    const transmission_fixed_gear_real M2_torque_ref_mean_before = transmission_fixed_gear_select(s->running > 0.5,
+        s->M2_torque_ref_mean, 0.0);
+    const transmission_fixed_gear_real M2_torque_ref_swing = M2_applied - M2_torque_ref_mean_before;
+    s->M2_torque_ref_mean = M2_torque_ref_mean_before + M2_torque_ref_swing * s->mean_share;
+    s->M2_torque_ref_swings = transmission_fixed_gear_select(s->running > 0.5, s->M2_torque_ref_swings, 0.0);
+    transmission_fixed_gear_swings(M2_torque_ref_swing, p->M2_torque_ref_oscillation_limit, s->M2_torque_ref_side,
+        s->M2_torque_ref_swings, s->forgotten_swings, &s->M2_torque_ref_side, &s->M2_torque_ref_swings);
+    const transmission_fixed_gear_real cause_fault_M2_torque_ref_oscillation =
+        transmission_fixed_gear_select(s->M2_torque_ref_swings - 5.5 > 0.0, 8002.0, 9999.0);
+    /* the first fault is latched */
+    const transmission_fixed_gear_real cause_of_watching =
+        transmission_fixed_gear_min(transmission_fixed_gear_min(transmission_fixed_gear_min(transmission_fixed_gear_min(cause_fault_M1_speed_disagreement,
+        cause_fault_M1_speed_frozen), transmission_fixed_gear_min(cause_fault_M1_torque_ref_oscillation,
+        cause_fault_M2_speed_disagreement)),
+        transmission_fixed_gear_min(transmission_fixed_gear_min(cause_fault_M2_speed_frozen,
+        cause_fault_M2_torque_ref_oscillation), transmission_fixed_gear_min(cause_fault_flange1_torque_frozen,
+        cause_fault_flange1_torque_oscillation))), transmission_fixed_gear_min(cause_fault_flange2_torque_frozen,
+        cause_fault_flange2_torque_oscillation));
+    s->fault = transmission_fixed_gear_select(s->fault > 0.5, s->fault,
+        transmission_fixed_gear_select(cause_of_watching > 9998.0, 0.0, cause_of_watching));
+    /* limit of the rate */
+    const transmission_fixed_gear_real M2_speed_ref_before = transmission_fixed_gear_select(s->running > 0.5,
+        s->M2_speed_ref_limited, s->M2_speed_held);
+    s->M2_speed_ref_limited = M2_speed_ref_before + transmission_fixed_gear_max(-s->M2_speed_ref_step,
+        transmission_fixed_gear_min(s->M2_speed_ref_step, -M2_speed_ref_before + s->M2_speed_ref_held));
+    const transmission_fixed_gear_real M2_speed_error = -s->M2_speed_held + s->M2_speed_ref_limited;
+    /* load torque compensation (5.52), (5.74) */
+    const transmission_fixed_gear_real M2_compensation = -s->flange2_torque_held;
+    /* so that a switch does not jump */
+    const transmission_fixed_gear_real M2_given_away = M2_compensation * (load_compensation_before -
+        s->load_compensation_now);
+    /* PI speed control (5.84) */
+    const transmission_fixed_gear_real M2_integral_before = transmission_fixed_gear_select(p->M2_speed_integral_gain
+        > 0.0, M2_given_away, 0.0) + transmission_fixed_gear_select(s->running > 0.5, s->M2_speed_integral, 0.0);
+    const transmission_fixed_gear_real M2_asked = M2_integral_before + M2_speed_error * p->M2_speed_gain;
+    const transmission_fixed_gear_real M2_wanted = M2_asked + M2_compensation * s->load_compensation_now;
+    /* torque-speed envelope */
+    const transmission_fixed_gear_real M2_command = transmission_fixed_gear_max(M2_least,
+        transmission_fixed_gear_min(M2_most, M2_wanted));
+    /* what the limit cuts off */
+    const transmission_fixed_gear_real M2_cut = M2_command - M2_wanted;
+    /* conditioning anti-windup (Hanus) */
+    s->M2_speed_integral = M2_cut * s->M2_speed_conditioning + M2_integral_before + M2_speed_error *
+        s->M2_speed_growth;
+    /* net torque on the rotor */
+    const transmission_fixed_gear_real M2_net = M2_command - M2_compensation;
+    /* testing torque from the sensors (5.95), (5.96), (5.98) */
+    const transmission_fixed_gear_real gearbox_input_torque_estimate = s->M1_unread_M2 * M2_net +
+        s->flange1_torque_held;
+    /* limit of the rate */
+    const transmission_fixed_gear_real gearbox_input_torque_ref_before = transmission_fixed_gear_select(s->running >
+        0.5, s->gearbox_input_torque_ref_limited, gearbox_input_torque_estimate);
+    s->gearbox_input_torque_ref_limited = gearbox_input_torque_ref_before +
+        transmission_fixed_gear_max(-s->gearbox_input_torque_ref_step,
+        transmission_fixed_gear_min(s->gearbox_input_torque_ref_step, -gearbox_input_torque_ref_before +
+        s->gearbox_input_torque_ref_held));
+    /* torque model (5.57), (5.76) */
+    const transmission_fixed_gear_real M1_model_before = transmission_fixed_gear_select(s->running > 0.5,
+        s->M1_model_torque, gearbox_input_torque_estimate);
+    const transmission_fixed_gear_real M1_rate_before = transmission_fixed_gear_select(s->running > 0.5,
+        s->M1_model_rate, 0.0);
+    s->M1_model_rate = -s->M1_model_drag * M1_rate_before + s->M1_model_pull * (-M1_model_before +
+        s->gearbox_input_torque_ref_limited) + M1_rate_before;
+    s->M1_model_torque = M1_model_before + s->M1_model_rate * p->sample_time;
+    const transmission_fixed_gear_real M1_torque_error = s->M1_model_torque * p->M1_torque_model -
+        gearbox_input_torque_estimate + s->gearbox_input_torque_ref_limited * (1.0 - p->M1_torque_model);
+    /* torque control (5.99) */
+    const transmission_fixed_gear_real M1_integral_before = transmission_fixed_gear_select(s->running > 0.5,
+        s->M1_torque_integral, 0.0);
+    const transmission_fixed_gear_real M1_virtual = p->M1_feedforward * s->gearbox_input_torque_ref_limited +
+        M1_integral_before + M1_torque_error * p->M1_torque_gain;
+    /* active damping (5.62), (5.78) */
+    const transmission_fixed_gear_real M1_twist_rate_M1 = -s->M1_speed_held + s->M2_speed_held *
+        s->gearbox_ratio_limited;
+    const transmission_fixed_gear_real M1_damping_torque = s->M1_damping_now * M1_twist_rate_M1;
+    /* with the acceleration torque (5.62), (5.78) */
+    const transmission_fixed_gear_real M1_wanted = M1_virtual + s->acceleration_torque_now * (p->M1_inertia_estimate
+        * s->M2_speed_held * gearbox_ratio_change + p->M1_inertia_estimate * M2_net * s->gearbox_ratio_limited /
+        p->M2_inertia);
+    /* reserve for active damping */
+    const transmission_fixed_gear_real M1_kept = transmission_fixed_gear_max(M1_least * (1.0 -
+        p->M1_damping_reserve), transmission_fixed_gear_min(M1_wanted, M1_most * (1.0 - p->M1_damping_reserve)));
+    /* torque-speed envelope */
+    const transmission_fixed_gear_real M1_command = transmission_fixed_gear_max(M1_least,
+        transmission_fixed_gear_min(M1_most, M1_damping_torque + M1_kept));
+    /* limited integrator */
+    s->M1_torque_integral = transmission_fixed_gear_select(M1_torque_error * (-M1_kept + M1_wanted) > 0.0,
+        M1_integral_before, transmission_fixed_gear_max(-p->M1_torque_integral_limit,
+        transmission_fixed_gear_min(p->M1_torque_integral_limit, M1_integral_before + M1_torque_error *
+        s->M1_torque_growth)));
+    /* only sound torques leave */
+    transmission_fixed_gear_real M1_released;
+    transmission_fixed_gear_real M1_released_sound;
+    transmission_fixed_gear_guard(M1_command, s->M1_largest, s->M1_last, &M1_released, &M1_released_sound);
+    const transmission_fixed_gear_real cause_fault_M1_torque_ref = transmission_fixed_gear_select(M1_released_sound
+        < 1.0, 7001.0, 9999.0);
+    transmission_fixed_gear_real M2_released;
+    transmission_fixed_gear_real M2_released_sound;
+    transmission_fixed_gear_guard(M2_command, s->M2_largest, s->M2_last, &M2_released, &M2_released_sound);
+    const transmission_fixed_gear_real cause_fault_M2_torque_ref = transmission_fixed_gear_select(M2_released_sound
+        < 1.0, 7002.0, 9999.0);
+    /* the first fault is latched */
+    const transmission_fixed_gear_real cause_of_commands = transmission_fixed_gear_min(cause_fault_M1_torque_ref,
+        cause_fault_M2_torque_ref);
+    s->fault = transmission_fixed_gear_select(s->fault > 0.5, s->fault,
+        transmission_fixed_gear_select(cause_of_commands > 9998.0, 0.0, cause_of_commands));
+    /* ramp of the torques */
+    const transmission_fixed_gear_real authority_wanted = s->authority + transmission_fixed_gear_select(s->fault >
+        0.5, -s->ramp_step, s->ramp_step);
+    transmission_fixed_gear_share(authority_wanted, &s->authority);
+    s->running = transmission_fixed_gear_select(s->fault > 0.5, 0.0, 1.0);
+    s->M1_last = transmission_fixed_gear_select(s->fault > 0.5, s->M1_last, M1_released);
+    out->M1_torque_ref = transmission_fixed_gear_max(-900.0, transmission_fixed_gear_min(900.0, s->M1_last *
+        s->authority));
+    s->M2_last = transmission_fixed_gear_select(s->fault > 0.5, s->M2_last, M2_released);
+    out->M2_torque_ref = transmission_fixed_gear_max(-3300.0, transmission_fixed_gear_min(3300.0, s->M2_last *
+        s->authority));
+    /* The last line of defence, should parameters have been changed without an update. */
+    if (!transmission_fixed_gear_is_finite(out->M1_torque_ref)) {
+        out->M1_torque_ref = 0.0;
+        s->fault = s->fault > 0.0 ? s->fault : TRANSMISSION_FIXED_GEAR_REAL(transmission_fixed_gear_controller_fault_M1_torque_ref);
+        s->running = 0.0;
+    }
+    if (!transmission_fixed_gear_is_finite(out->M2_torque_ref)) {
+        out->M2_torque_ref = 0.0;
+        s->fault = s->fault > 0.0 ? s->fault : TRANSMISSION_FIXED_GEAR_REAL(transmission_fixed_gear_controller_fault_M2_torque_ref);
+        s->running = 0.0;
+    }
+    return (transmission_fixed_gear_controller_status)s->fault;
+}
