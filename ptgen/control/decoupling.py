@@ -295,5 +295,7 @@ def _swinging(reduced: ReducedModel) -> tuple[str, ...]:
 def _by_terms(expression: sp.Expr) -> sp.Expr:
     """Write a law as a sum over virtual inputs and sensors, each with a factored coefficient."""
     variables = [s for s in expression.free_symbols if not s.is_nonnegative and s.is_real is None]
+    # Rates of ratios stand in products with speeds: collected first, they are terms of their own, in any session.
+    variables.sort(key=lambda s: (not s.name.endswith("_rate"), s.name))
     collected = sp.collect(sp.expand(expression), variables, evaluate=False)
     return sp.Add(*[sp.factor(coefficient) * variable for variable, coefficient in collected.items()])

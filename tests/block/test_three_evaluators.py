@@ -91,9 +91,14 @@ def test_agree_along_a_run(project: Project, library: Library) -> None:
             signal: (300.0 * np.sin(20 * time) if key.startswith("torque") else 30 * max(0.0, np.sin(15 * time)))
             for key, signal in references.items()
         }
-        given = {s.name: measured.get(s.name, 0.0) for s in project.controller.inputs} | wanted
+        pressed = {
+            s.name: (s.least or 0.0) + (s.most - (s.least or 0.0)) * abs(np.sin(9 * time + i))
+            for i, s in enumerate(project.plant.inputs)
+            if s.most is not None
+        }
+        known = measured | pressed
+        given = {s.name: known.get(s.name, 0.0) for s in project.controller.inputs} | wanted
         commands = step("controller", given)
-        pressed = {s.name: abs(np.sin(9 * time + i)) for i, s in enumerate(project.plant.inputs) if s.most is not None}
         measured = step("plant", commands | pressed)
     for name, block in (("controller", project.controller), ("plant", project.plant)):
         trace[name] = agreement.Batch(
