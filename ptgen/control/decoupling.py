@@ -34,7 +34,7 @@ from ptgen.mechanism.reduction import ReducedModel
 from ptgen.mechanism.twist_basis import twists_of
 from ptgen.testbed.testbed import Roles, Structure
 
-__all__ = ["Decoupling", "decouple"]
+__all__ = ["Decoupling", "check_structure", "decouple"]
 
 
 @dataclass(frozen=True)
@@ -125,7 +125,10 @@ class Decoupling:
 
 
 def decouple(
-    reduced: ReducedModel, roles: Roles, structure: Structure = "decoupling", losses: Sequence[str] = ()
+    reduced: ReducedModel,
+    roles: Roles,
+    structure: Structure = "decoupling",
+    losses: Sequence[str] = (),
 ) -> Decoupling:
     """Design the control law for the roles of the machines.
 
@@ -136,6 +139,7 @@ def decouple(
     structure : {"decoupling", "individual"}
     losses : sequence of str
         Flanges on which a loss torque acts that is known as a function of the speed, such as ``"gearbox2.input"``.
+
 
     Raises
     ------
@@ -160,6 +164,40 @@ def decouple(
             return True
 
         raise advice.with_advice(error, reduced, roles, structure, works) from None
+
+
+def check_structure(reduced: ReducedModel, roles: Roles) -> None:
+    """Raise if there is no decoupling for the bed's numbers, whatever is measured; far quicker than `decouple`.
+
+    Raises
+    ------
+    ControlError
+        If the decoupling matrix is singular, or internal dynamics are not asymptotically stable.
+    """
+    model = reduced.model.with_numbers()
+    machines = tuple(torque.name for torque in model.inputs)
+    actuators = tuple(machines.index(name) for name in (*roles.torque, *roles.speed))
+    torque_count = len(roles.torque)
+    forms = _output_forms(model, roles)
+    system = affine_system(model)
+    chains = tuple(derivatives(system, name, form) for name, form in forms.items())
+    findings.check_degrees(chains, roles)
+    matrix = exact.stack([chain.input_row for chain in chains], len(machines))
+    singular = findings.singular_matrix(matrix, {}, model, tuple(forms)[:torque_count])
+    if singular is not None:
+        raise singular
+    wishes = Wishes(
+        torque_count=torque_count,
+        actuators=actuators,
+        rotors=(sp.Integer(1),) * len(machines),
+        estimates=(sp.Integer(1),) * torque_count,
+        damping=(sp.Integer(1),) * torque_count,
+        stiffness=(sp.Integer(1),) * torque_count,
+        feedthrough=tuple(form.f for form in forms.values()),
+    )
+    state_law = decoupling_state_law(system, chains, matrix, wishes)
+    eigenvalues = _internal_eigenvalues(system, model, chains, state_law, {}, reduced.equivalent_damping)
+    findings.check_internal(eigenvalues, _swinging(reduced), model, torque_count)
 
 
 def _decouple(reduced: ReducedModel, roles: Roles, structure: Structure, losses: Sequence[str]) -> Decoupling:

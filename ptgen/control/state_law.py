@@ -52,9 +52,9 @@ class Wishes:
         The machine of each output.
     rotors : tuple of Expr (m)
         Inertia of each rotor (kg m^2); a speed becomes ``1 / (I_m s)``.
-    estimates : tuple of Symbol (n_t)
+    estimates : tuple of Expr (n_t)
         Inertia that each torque-controlled machine swings with (kg m^2).
-    damping : tuple of Symbol (n_t)
+    damping : tuple of Expr (n_t)
         Damping that each torque gets (N m s/rad).
     stiffness : tuple of Expr (n_t)
         Natural stiffness that it keeps (N m/rad); a torque becomes ``c / (I s^2 + d s + c)``.
@@ -65,8 +65,8 @@ class Wishes:
     torque_count: int
     actuators: tuple[int, ...]
     rotors: tuple[sp.Expr, ...]
-    estimates: tuple[sp.Symbol, ...]
-    damping: tuple[sp.Symbol, ...]
+    estimates: tuple[sp.Expr, ...]
+    damping: tuple[sp.Expr, ...]
     stiffness: tuple[sp.Expr, ...]
     feedthrough: tuple[sp.Matrix, ...]
 

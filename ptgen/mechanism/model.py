@@ -12,8 +12,9 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
 
 import numpy as np
 import sympy as sp
@@ -41,6 +42,10 @@ class LinearForm:
 
     def __add__(self, other: LinearForm) -> LinearForm:
         return LinearForm(self.z + other.z, self.e + other.e, self.u + other.u, self.f + other.f, self.a + other.a)
+
+    def mapped(self, function: Callable[[sp.Matrix], sp.Matrix]) -> LinearForm:
+        """Return the form with `function` applied to each part."""
+        return LinearForm(*(function(part) for part in (self.z, self.e, self.u, self.f, self.a)))
 
     def scaled(self, factor: sp.Expr | int) -> LinearForm:
         """Return the form times `factor`."""
@@ -203,6 +208,34 @@ class Model:
         z, e, u, f = parts
         return LinearForm(z, e, u, f, sp.zeros(1, len(self.coordinates)))
 
+    def with_numbers(self) -> Model:
+        """Return the model with all parameters as rational numbers, right to twelve digits, for quick exact algebra."""
+        table = {symbol: Fraction(f"{value:.12g}") for symbol, value in self.values.items()}
+
+        def numbers(matrix: sp.Matrix) -> sp.Matrix:
+            result = sp.zeros(*matrix.shape)
+            for (row, column), entry in sp.SparseMatrix(matrix).todok().items():
+                value = _exact_value(entry, table)
+                result[row, column] = sp.Rational(value.numerator, value.denominator)
+            return result
+
+        return replace(
+            self,
+            velocity_rows={name: numbers(row) for name, row in self.velocity_rows.items()},
+            mass=numbers(self.mass),
+            twist_rows=numbers(self.twist_rows),
+            stiffness=numbers(self.stiffness),
+            damping=numbers(self.damping),
+            input_rows=numbers(self.input_rows),
+            frictions=tuple(
+                replace(friction, viscous=numbers(sp.Matrix([[friction.viscous]]))[0]) for friction in self.frictions
+            ),
+            friction_rows=numbers(self.friction_rows),
+            signals={name: form.mapped(numbers) for name, form in self.signals.items()},
+            contact_rows=numbers(self.contact_rows),
+            contact_twists=numbers(self.contact_twists),
+        )
+
     def numeric(self, values: Mapping[sp.Symbol, float] | None = None) -> NumericModel:
         """Evaluate all matrices; `values` override the parameters of the bed."""
         table = {**self.values, **(values or {})}
@@ -271,4 +304,19 @@ def _value(expression: sp.Expr, values: Mapping[sp.Symbol, float]) -> float:
         return math.prod(_value(argument, values) for argument in expression.args)
     if expression.is_Pow:
         return float(_value(expression.base, values) ** _value(expression.exp, values))
+    raise TypeError(f"{expression} is no rational expression")
+
+
+def _exact_value(expression: sp.Expr, values: Mapping[sp.Symbol, Fraction]) -> Fraction:
+    """Evaluate a rational expression exactly."""
+    if expression.is_Symbol:
+        return values[expression]
+    if expression.is_Rational:
+        return Fraction(int(expression.p), int(expression.q))
+    if expression.is_Add:
+        return sum((_exact_value(argument, values) for argument in expression.args), Fraction(0))
+    if expression.is_Mul:
+        return math.prod((_exact_value(argument, values) for argument in expression.args), start=Fraction(1))
+    if expression.is_Pow and expression.exp.is_Integer:
+        return _exact_value(expression.base, values) ** int(expression.exp)
     raise TypeError(f"{expression} is no rational expression")

@@ -52,7 +52,7 @@ from ptgen.mechanism.participation import Participation
 from ptgen.mechanism.series import join_series
 from ptgen.testbed.testbed import ReductionSettings
 
-__all__ = ["ReducedModel", "reduce_mechanism"]
+__all__ = ["ReducedModel", "is_left_to_integrators", "reduce_mechanism"]
 
 
 _SYMBOLIC_MACHINES = 3
@@ -136,7 +136,7 @@ def reduce_mechanism(mechanism: Mechanism, settings: ReductionSettings, full: Mo
     before = modes(compared)
 
     kept = {friction.name for friction in driven.frictions}
-    losses = {friction.name for friction in mechanism.frictions if _is_loss(friction)} & kept
+    losses = {friction.name for friction in mechanism.frictions if is_left_to_integrators(friction)} & kept
     rules += [loss_rule(mechanism, name) for name in sorted(losses)]
     reduced = driven.without_frictions(losses)
     rules += drive_rules(mechanism, before)
@@ -184,7 +184,7 @@ def reduce_mechanism(mechanism: Mechanism, settings: ReductionSettings, full: Mo
     )
 
 
-def _is_loss(friction: Friction) -> bool:
+def is_left_to_integrators(friction: Friction) -> bool:
     """Tell whether an element is left to the integrators of the controllers: a loss, or a brake against the housing."""
     return friction.role is FrictionRole.LOSS or (friction.role is FrictionRole.COUPLING and len(friction.row) == 1)
 
