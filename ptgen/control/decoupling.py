@@ -158,6 +158,8 @@ def decouple(
 
         def works(other: ReducedModel, chosen: Roles, how: Structure) -> bool:
             try:
+                if how == "decoupling":
+                    check_structure(other, chosen)
                 _decouple(other, chosen, how, losses)
             except ControlError:
                 return False

@@ -61,10 +61,10 @@ def check_degrees(chains: Sequence[OutputChain], roles: Roles) -> None:
         raise ControlError(problems)
 
 
-def _fewer_torques(torques: int, model: Model) -> str:
+def _other_count(torques: int, model: Model) -> str:
     """Return what to do about torques that cannot all be controlled, or twists that nobody controls."""
-    if torques == 0:
-        return "let one of the machines control a torque: what lies between machines at given speeds winds up"
+    if torques < _machine_twists(model):
+        return "let one more machine control a torque: what lies between machines at given speeds winds up"
     couplings = [friction.name for friction in model.frictions if friction.role is FrictionRole.COUPLING]
     if couplings:
         names = ", ".join(f'"{name}"' for name in couplings)
@@ -98,7 +98,7 @@ def singular_matrix(
     else:
         cause = "the machines that control torques cannot change these torques independently of the speeds"
     what = f"the decoupling matrix is singular: {cause}"
-    return ControlError(Problem("control", what, _fewer_torques(torques, model)))
+    return ControlError(Problem("control", what, _other_count(torques, model)))
 
 
 def check_uncontrolled_twists(model: Model, torques: int) -> None:
@@ -106,8 +106,7 @@ def check_uncontrolled_twists(model: Model, torques: int) -> None:
 
     The machines are the first coordinates of `model`.
     """
-    m = len(model.inputs)
-    twists = exact.rank(model.twist_rows) - exact.rank(model.twist_rows[:, m:])
+    twists = _machine_twists(model)
     if torques >= twists:
         return
     what = (
@@ -115,7 +114,12 @@ def check_uncontrolled_twists(model: Model, torques: int) -> None:
         f"it in {twists} independent way{'s' if twists != 1 else ''}; what nobody controls winds up "
         "when the speed references do not agree exactly"
     )
-    raise ControlError(Problem("control", what, _fewer_torques(torques, model)))
+    raise ControlError(Problem("control", what, _other_count(torques, model)))
+
+
+def _machine_twists(model: Model) -> int:
+    """Return in how many ways the machines, the first coordinates, can twist the bed for good."""
+    return exact.rank(model.twist_rows) - exact.rank(model.twist_rows[:, len(model.inputs) :])
 
 
 def _listed(names: Sequence[str]) -> str:
@@ -133,18 +137,29 @@ def check_internal(eigenvalues: NDArray[np.complex128], swinging: Sequence[str],
     unstable = [value for value in eigenvalues if value.real > -1e-9 * size]
     if not unstable:
         return
-    shown = ", ".join(f"{value.real:.3g}{value.imag:+.3g}j" for value in unstable)
+    shown = ", ".join(_complex(value, size) for value in unstable)
     twists = f" ({_listed(model.twists)})" if len(model.twists) > torques else ""
     what = (
-        f"{len(eigenvalues)} states stay behind the controlled quantities (internal dynamics) and are not "
-        f"asymptotically stable: eigenvalues {shown} 1/s; they would wind up or oscillate unseen: "
+        f"{_counted(len(eigenvalues))} behind the controlled quantities (internal dynamics), not asymptotically "
+        f"stable: {'eigenvalue' if len(unstable) == 1 else 'eigenvalues'} {shown} 1/s; it would wind up or oscillate "
+        "unseen: "
         f"{torques} torque{'s' if torques != 1 else ''} for {len(model.twists)} twists{twists}"
     )
-    remedy = _fewer_torques(torques, model)
+    remedy = _other_count(torques, model)
     if any(abs(value.imag) > 0 for value in unstable) and swinging:
         names = ", ".join(f'"{name}"' for name in swinging)
         remedy = f"give the shafts their damping, or leave the inertia out of the design: [reduction] drop = [{names}]"
     raise ControlError(Problem("control", what, remedy))
+
+
+def _counted(states: int) -> str:
+    return "1 state stays" if states == 1 else f"{states} states stay"
+
+
+def _complex(value: complex, size: float) -> str:
+    """Write an eigenvalue; what is rounding beside `size` is zero."""
+    real, imaginary = (part if abs(part) > 1e-9 * size else 0.0 for part in (value.real, value.imag))
+    return f"{real:.3g}{imaginary:+.3g}j" if imaginary else f"{real:.3g}"
 
 
 def unmeasured(what: str, model: Model, swinging: Sequence[str]) -> ControlError:

@@ -37,7 +37,7 @@ class FrictionState:
 
 
 def other_friction_states(
-    mechanism: Mechanism, settings: ReductionSettings, roles: Roles, structure: Structure
+    mechanism: Mechanism, settings: ReductionSettings, roles: Roles, structure: Structure, twists: int
 ) -> tuple[FrictionState, ...]:
     """Examine the roles with every coupling or slip-limiting element in its other state, one at a time.
 
@@ -49,9 +49,11 @@ def other_friction_states(
         With the elements that the law takes for locked.
     roles : Roles
     structure : {"decoupling", "individual"}
+    twists : int
+        Of the reduced model that the law was made from.
     """
     return tuple(
-        _examined(mechanism, settings, roles, structure, friction)
+        _examined(mechanism, settings, roles, structure, twists, friction)
         for friction in mechanism.frictions
         if not is_left_to_integrators(friction)
     )
@@ -62,17 +64,26 @@ def _examined(
     settings: ReductionSettings,
     roles: Roles,
     structure: Structure,
+    twists: int,
     friction: Friction,
 ) -> FrictionState:
     name, sticks = friction.name, friction.name not in settings.locked
     locked = (*settings.locked, name) if sticks else tuple(other for other in settings.locked if other != name)
     try:
-        check_structure(reduce_mechanism(mechanism, _with_locked(settings, locked)), roles)
+        other = reduce_mechanism(mechanism, _with_locked(settings, locked))
+        more = len(other.model.twists) - twists
+        check_structure(other, roles)
     except (ControlError, ModelError) as error:
         return FrictionState(name, sticks, False, "; ".join(problem.what for problem in error.problems))
-    if structure == "individual":
-        return FrictionState(name, sticks, True, "the outputs could be decoupled")
-    return FrictionState(name, sticks, True, "the outputs could be decoupled as well, by another law")
+    if structure == "decoupling":
+        return FrictionState(name, sticks, True, "the outputs could be decoupled as well, by another law")
+    text = "the outputs could be decoupled"
+    if sticks and more > 0:
+        text += (
+            f"; the bed then has {more} twist{'s' if more > 1 else ''} more, which the damping of this law does not "
+            f'reach: a law made for it, [reduction] locked = ["{name}"], damps all of them'
+        )
+    return FrictionState(name, sticks, True, text)
 
 
 def _with_locked(settings: ReductionSettings, locked: Sequence[str]) -> ReductionSettings:

@@ -13,6 +13,7 @@ from ptgen.analysis.closed_loop import Pole, closed_loop_poles
 from ptgen.analysis.continuous_proof import ContinuousProof, continuous_proof
 from ptgen.block.block import Block
 from ptgen.control.decoupling import Decoupling
+from ptgen.control.friction_states import FrictionState, other_friction_states
 from ptgen.elements import SensorKind, Spring
 from ptgen.mechanism.applied_rules import AppliedRule
 from ptgen.mechanism.model import Model
@@ -65,6 +66,8 @@ class Derivation:
     closed_loop : mapping of str to tuple of Pole
         Poles of the sampled closed loop, dead time and lag included, for both controllers. Gaps are closed, and
         elements that the reduced model takes for locked are locked here too; the others are without friction.
+    friction_states : tuple of FrictionState
+        What becomes of the roles while a friction element is not in the state that the law is made for.
     stability : ContinuousProof
         Of the reduced model's closed loop, without sampling.
     """
@@ -89,6 +92,7 @@ class Derivation:
     conventional: Mapping[str, float]
     closed_loop: Mapping[str, tuple[Pole, ...]]
     stability: ContinuousProof
+    friction_states: tuple[FrictionState, ...]
 
     @property
     def internal_eigenvalues(self) -> NDArray[np.complex128]:
@@ -133,6 +137,13 @@ def derivation(project: Project) -> Derivation:
         conventional=design.controller.conventional,
         closed_loop={name: closed_loop_poles(project.controller, plant, values) for name, values in variants.items()},
         stability=continuous_proof(design, reduced),
+        friction_states=other_friction_states(
+            project.mechanism,
+            project.testbed.reduction,
+            project.testbed.roles,
+            decoupling.structure,
+            len(reduced.model.twists),
+        ),
     )
 
 

@@ -34,6 +34,7 @@ def derivation_text(found: Derivation) -> Iterator[RenderableType]:
         ("Decoupling matrix", _matrix(found)),
         ("Law", _law(found)),
         ("Testing torque from sensors", _estimates(found)),
+        ("Other friction states", _friction_states(found)),
         ("Gains", _gains(found)),
         ("Stability in continuous time", stability_text(found.stability)),
         ("Closed loop", _closed_loop(found)),
@@ -199,6 +200,15 @@ def _notes(equation: Equation) -> Iterator[Text]:
     width = max(map(len, written), default=0)
     for text, term in zip(written, equation.right, strict=True):
         yield Text(f"      {text:<{width}}   {term.note}", style="dim")
+
+
+def _friction_states(found: Derivation) -> Iterator[RenderableType]:
+    if not found.friction_states:
+        yield Text("no element couples or limits slip: the law holds in every state")
+    for state in found.friction_states:
+        taken, other = ("slipping", "sticks") if state.sticks else ("locked", "slips")
+        yield Text(f"The law takes {state.element} for {taken}. While it {other}:")
+        yield Text(f"  {state.text}", style="dim" if state.decouples else "bold")
 
 
 def _gains(found: Derivation) -> Iterator[RenderableType]:

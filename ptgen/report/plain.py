@@ -96,6 +96,10 @@ def derivation_json(found: Derivation) -> dict[str, Any]:
         "gains": _gains(found),
         "conventional": dict(found.conventional),
         "closed_loop": {name: _poles(poles) for name, poles in found.closed_loop.items()},
+        "friction_states": [
+            {"element": state.element, "sticks": state.sticks, "decouples": state.decouples, "text": state.text}
+            for state in found.friction_states
+        ],
         "stability": stability_json(found.stability),
         "values": {symbol.name: value for symbol, value in found.values.items()},
     }

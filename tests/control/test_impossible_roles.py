@@ -60,7 +60,7 @@ def test_locked_differential_leaves_an_integrator_between_two_speeds() -> None:
     with pytest.raises(ControlError, match="not asymptotically stable") as caught:
         decouple(reduced, roles)
     (problem,) = caught.value.problems
-    assert "1 states stay behind the controlled quantities" in problem.what
+    assert "1 state stays behind the controlled quantities" in problem.what
     assert "wind up" in problem.what
 
 
