@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import cached_property
 from pathlib import Path
 
+from ptgen.analysis.continuous_proof import ContinuousProof, continuous_proof
 from ptgen.block.block import Block
 from ptgen.control.design import ControlDesign, design_control
 from ptgen.errors import PtgenError
@@ -75,6 +76,11 @@ class Project:
         """The plant's block."""
         with _located(self.testbed.file):
             return plant_block(self.plant_model, self.testbed.sample_time)
+
+    @cached_property
+    def proof(self) -> ContinuousProof:
+        """The stability of the design in continuous time."""
+        return continuous_proof(self.design, self.reduced)
 
     @property
     def controller(self) -> Block:

@@ -54,7 +54,7 @@ class Signal:
     shape : tuple of int
         Empty for a scalar, ``(n,)`` or ``(n, m)``.
     value : float
-        Default of a parameter, initial value of a state.
+        Default of a parameter, initial value of a state, what an input is at rest.
     entries : tuple of str
         Names of the entries of an array, where they have any.
     least : float or None

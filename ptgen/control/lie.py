@@ -85,10 +85,18 @@ def derivatives(
     if any(entry != 0 for entry in form.u):
         return OutputChain(name, (row,), form.u, form.f, 0)
     for degree in range(1, system.order + 1):
-        input_row, before = exact.canonical(row * system.B), row
+        input_row, before = _times(row, system.B), row
         drift = sum((row.diff(symbol) * rate for symbol, rate in (rates or {}).items()), sp.zeros(1, system.order))
-        row = exact.canonical(row * system.A + drift)
+        row = _times(row, system.A) if drift.is_zero_matrix else exact.canonical(row * system.A + drift)
         rows.append(row)
         if any(entry != 0 for entry in input_row):
-            return OutputChain(name, tuple(rows), input_row, exact.canonical(before * system.F), degree)
+            return OutputChain(name, tuple(rows), input_row, _times(before, system.F), degree)
     return OutputChain(name, tuple(rows), sp.zeros(1, system.B.shape[1]), sp.zeros(1, system.F.shape[1]), None)
+
+
+def _times(row: sp.Matrix, matrix: sp.Matrix) -> sp.Matrix:
+    """Return ``row matrix`` in canonical form; a unit row picks what is canonical already."""
+    found = [k for k, entry in enumerate(row) if entry != 0]
+    if len(found) == 1 and row[found[0]] == 1:
+        return matrix[found[0], :]
+    return exact.canonical(row * matrix)

@@ -69,7 +69,8 @@ def _bridge(w: ControllerWriter, name: str, number: int, h: sp.Symbol) -> tuple[
     unit = "rad/s" if "_speed" in name else "" if name in w.plausible else "N m"
     text = "reference" if name.endswith("_ref") else "measured"
     bound = w.plausible[name] if name in w.plausible else plausible(w.full, w.design.machines, name)
-    w.inputs[name] = Signal(name, unit, text)
+    at_rest = {parameter.symbol.name: parameter.value for parameter in w.design.model.changing}
+    w.inputs[name] = Signal(name, unit, text, value=at_rest.get(name, 0.0))
     largest = w.parameter(f"{name}_plausible", unit, f"largest plausible {name}", bound, allowed=False)
     held = w.state(f"{name}_held", unit, f"last sound value of {name}")
     time = w.state(f"{name}_bad_time", "s", f"for how long {name} was bad", NEVER_SOUND, monitor=True)

@@ -10,7 +10,7 @@ import sympy as sp
 from numpy.typing import NDArray
 
 from ptgen.analysis.closed_loop import Pole, closed_loop_poles
-from ptgen.analysis.continuous_proof import ContinuousProof, continuous_proof
+from ptgen.analysis.continuous_proof import ContinuousProof
 from ptgen.block.block import Block
 from ptgen.control.decoupling import Decoupling
 from ptgen.control.friction_states import FrictionState, other_friction_states
@@ -136,7 +136,7 @@ def derivation(project: Project) -> Derivation:
         gains=_gains(project),
         conventional=design.controller.conventional,
         closed_loop={name: closed_loop_poles(project.controller, plant, values) for name, values in variants.items()},
-        stability=continuous_proof(design, reduced),
+        stability=project.proof,
         friction_states=other_friction_states(
             project.mechanism,
             project.testbed.reduction,

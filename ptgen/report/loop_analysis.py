@@ -9,7 +9,7 @@ import numpy as np
 
 from ptgen.analysis.algebraic_loop import AlgebraicLoop, algebraic_loop
 from ptgen.analysis.closed_loop import Pole, poles_of
-from ptgen.analysis.continuous_proof import Setting, continuous_proof
+from ptgen.analysis.continuous_proof import Setting
 from ptgen.analysis.coupling import Coupling, ReferencedLoop, continuous_coupling, referenced_loop, sampled_coupling
 from ptgen.analysis.disk_margin import DiskMargin, disk_margin
 from ptgen.analysis.frequency import FrequencyResponse, frequency_grid, others_closed
@@ -340,7 +340,7 @@ def loop_family(project: Project, full: Model) -> LoopFamily:
 
 
 def _continuous(project: Project, controller: ControllerName) -> Setting:
-    settings = continuous_proof(project.design, project.reduced).settings
+    settings = project.proof.settings
     named = [setting for setting in settings if setting.name == controller]
     return named[0] if named else settings[0]  # positions of the switches that make no difference are left out
 
