@@ -69,6 +69,7 @@ class DelayedBed:
         self.frictionless = dict.fromkeys(symbols, 1e-12)
         self.references = len(project.design.controller.references)
         self.actuations = sum(f.actuated for f in full.frictions)
+        self.ratios = [parameter.value for parameter in project.testbed.ratios.values()]
 
     def pole(self, machines: tuple[str, ...], delay: float, frequency_hz: float) -> complex:
         """Return the pole that starts at the margin, by Newton's method on ``det(I - L(z)) = 0``."""
@@ -94,6 +95,7 @@ class DelayedBed:
         """Return the largest torque command in twenty parts of a run after a short push."""
         pushes = [Profile((0.0, 20 * self.h), (1e-4, 0.0), "steps") for _ in range(self.references)]
         pushes += [Profile((0.0,), (0.0,), "lines") for _ in range(self.actuations)]
+        pushes += [Profile((0.0,), (ratio,), "lines") for ratio in self.ratios]
         parameters = dict(self.frictionless)
         for machine in machines:
             parameters[f"{machine}_inverter_dead_time"] = self.family.dead_time(machine) + delay
