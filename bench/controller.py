@@ -22,6 +22,34 @@ FLAGS = ("-std=c99", "-O2", "-ffp-contract=off")
 CASES = ("normal", "saturated", "bridged", "faulted", "reset")
 STEPS = 20_000
 
+EVERYTHING_OF = "differential-gearboxes"
+EVERYTHING = """
+speed_control = "observer"
+torque_gain = 0.5
+speed_pairs = { outputs = ["M2", "M3"] }
+
+[control.losses.gearbox1]
+speed = ["0 rpm", "1000 rpm", "2000 rpm", "4000 rpm", "6000 rpm"]
+torque = ["2 N m", "4 N m", "6 N m", "9 N m", "15 N m"]
+
+[control.losses.gearbox2]
+speed = ["0 rpm", "1000 rpm", "2000 rpm", "4000 rpm", "6000 rpm"]
+torque = ["3 N m", "5 N m", "8 N m", "12 N m", "19 N m"]
+
+[control.losses.gearbox3]
+speed = ["0 rpm", "1000 rpm", "2000 rpm", "4000 rpm", "6000 rpm"]
+torque = ["3 N m", "5 N m", "8 N m", "12 N m", "19 N m"]
+"""
+"""Everything that can be chosen besides, at the end of a bed file; its last section is ``[control]``."""
+
+
+def beds(folder: Path) -> dict[str, Path]:
+    """Return the shipped beds, and one of them with everything on."""
+    result = {path.stem: path for path in sorted((ROOT / "testbeds").glob("*.toml"))}
+    everything = folder / f"{EVERYTHING_OF}.toml"
+    everything.write_text(result[EVERYTHING_OF].read_text() + EVERYTHING)
+    return result | {"everything on": everything}
+
 
 def compiled(project: Project, folder: Path) -> Path:
     """Return the bench program of a bed."""
@@ -84,11 +112,11 @@ def main() -> None:
     print(f"\n{'time per step in ns':26}" + "".join(f"{case:>11}" for case in ("plant", *CASES)))
     with tempfile.TemporaryDirectory() as folder:
         programs = {}
-        for path in sorted((ROOT / "testbeds").glob("*.toml")):
+        for name, path in beds(Path(folder)).items():
             project = Project.read(path)
-            programs[path.stem] = compiled(project, Path(folder) / path.stem)
-            row = times(programs[path.stem])
-            print(f"{path.stem:26}" + "".join(f"{row[case]:11.0f}" for case in ("plant", *CASES)))
+            programs[name] = compiled(project, Path(folder) / name)
+            row = times(programs[name])
+            print(f"{name:26}" + "".join(f"{row[case]:11.0f}" for case in ("plant", *CASES)))
         if not counting:
             print("instructions are not counted: valgrind is not installed")
             return

@@ -21,6 +21,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 import sympy as sp
+from sympy.logic.boolalg import Boolean
 
 __all__ = [
     "Alarm",
@@ -90,11 +91,21 @@ class Signal:
 
 @dataclass(frozen=True)
 class Assign:
-    """``target = expression``; `target` is a scalar or an element; `source` names the equation."""
+    """``target = expression``; `target` is a scalar or an element; `source` names the equation.
+
+    With a `condition` the target, a declared scalar, keeps its value unless the condition holds.
+    """
 
     target: str
     expression: sp.Expr
     source: str = ""
+    condition: Boolean | None = None
+
+    @property
+    def free_symbols(self) -> set[sp.Symbol]:
+        """Symbols that the assignment reads."""
+        symbols = set(self.expression.free_symbols)
+        return symbols if self.condition is None else symbols | self.condition.free_symbols
 
 
 @dataclass(frozen=True)
@@ -232,8 +243,10 @@ class Block:
         known = set(self._index)
         for statement in self.statements(section):
             if isinstance(statement, Assign):
-                used = {parse_element(str(symbol))[0] for symbol in statement.expression.free_symbols}
+                used = {parse_element(str(symbol))[0] for symbol in statement.free_symbols}
                 targets = {parse_element(statement.target)[0]}
+                if statement.condition is not None and statement.target not in self._index:
+                    raise ValueError(f"block {self.name}, {section}: {statement.target} may be left without a value")
             else:
                 used = {parse_element(name)[0] for name in statement.inputs}
                 targets = {parse_element(name)[0] for name in statement.outputs}

@@ -123,7 +123,13 @@ class CasadiBlock:
     def _run(self, section: str, table: dict[str, Any]) -> None:
         for statement in self.block.statements(section):
             if isinstance(statement, Assign):
-                _store(table, statement.target, evaluate(statement.expression, _Elements(table), _ARITHMETIC))
+                lookup = _Elements(table)
+                value = evaluate(statement.expression, lookup, _ARITHMETIC)
+                if statement.condition is not None:
+                    value = ca.if_else(
+                        evaluate(statement.condition, lookup, _ARITHMETIC), value, table[statement.target]
+                    )
+                _store(table, statement.target, value)
                 continue
             _call(statement, table)
 
@@ -240,19 +246,16 @@ def _guard(value: Any, bound: Any, held: Any) -> tuple[Any, Any]:
     return ca.if_else(sound, value, held), ca.if_else(sound, 1.0, 0.0)
 
 
-def _lookup(value: Any, grid: Any, slope: Any, first: Any) -> Any:
-    result = first
-    for k in range(grid.shape[0] - 1):
-        result += slope[k] * ca.fmin(ca.fmax(value - grid[k], 0.0), grid[k + 1] - grid[k])
+def _lookup(value: Any, grid: Any, slope: Any, level: Any) -> Any:
+    result = level[0] + slope[0] * ca.fmax(value - grid[0], 0.0)
+    for k in range(1, grid.shape[0]):
+        result = ca.if_else(value >= grid[k], level[k] + slope[k] * (value - grid[k]), result)
     return result
 
 
-def _lasting(sound: Any, time: Any, step: Any, allowed: Any) -> tuple[Any, Any]:
-    good = sound > 0.5
-    longer = time + step
-    shorter = ca.fmax(0.0, ca.fmin(time, allowed) - step)
-    too_long = ca.if_else(longer <= allowed + 0.5 * step, 0.0, 1.0)
-    return ca.if_else(good, shorter, longer), ca.if_else(good, 0.0, too_long)
+def _lasting(sound: Any, time: Any, step: Any, allowed: Any) -> Any:
+    counted = ca.fmin(time, allowed)
+    return ca.if_else(sound > 0.5, ca.fmax(counted, step) - step, counted + step)
 
 
 def _swings(value: Any, limit: Any, side: Any, count: Any, decay: Any) -> tuple[Any, Any]:

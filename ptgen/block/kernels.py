@@ -128,30 +128,33 @@ def guard(value: Array, bound: Array, held: Array) -> tuple[Array, Array]:
     return np.where(sound, value, held), np.where(sound, 1.0, 0.0)
 
 
-def lookup(value: Array, grid: Array, slope: Array, first: Array) -> Array:
+def lookup(value: Array, grid: Array, slope: Array, level: Array) -> Array:
     """Return a function that is linear between the points of `grid` (n,), increasing, and constant beyond them.
 
-    ``slope[k]`` holds from ``grid[k]`` to the next point, the last one is not used; `first` is the value at and below
-    the first point. The sum runs over all intervals, so that it always takes the same time.
+    From ``grid[k]`` on it is ``level[k] + slope[k] * (value - grid[k])``; the last slope must be zero. A value that is
+    not a number counts as one below the first point.
     """
     value = np.asarray(value, dtype=float)
-    inside = np.minimum(np.maximum(value[..., None] - grid[..., :-1], 0.0), grid[..., 1:] - grid[..., :-1])
-    return np.asarray(first + (slope[..., :-1] * inside).sum(axis=-1), dtype=np.float64)
-
-
-def lasting(sound: Array, time: Array, step: Array, allowed: Array) -> tuple[Array, Array]:
-    """Return for how long a signal was not sound, and 1 if that is longer than `allowed`, else 0.
-
-    A sound step takes back one that was not, so that a signal that is bad half of the time does not pass. With
-    `allowed` zero the first bad step is too long. Half a step of tolerance keeps rounding out of the count.
-    """
-    good = np.asarray(sound) > 0.5
-    longer = time + step
     with np.errstate(invalid="ignore"):
-        tolerated = longer <= allowed + 0.5 * step  # false for NaN
-        left = np.minimum(time, allowed) - step
-        shorter = np.where(left > 0.0, left, 0.0)
-    return np.where(good, shorter, longer), np.where(good | tolerated, 0.0, 1.0)
+        k = (value[..., None] >= grid[..., 1:]).sum(axis=-1)
+
+    def entry(table: Array) -> Array:
+        table = np.broadcast_to(table, (*k.shape, table.shape[-1]))
+        return np.asarray(np.take_along_axis(table, k[..., None], -1)[..., 0])
+
+    beyond = value - entry(grid)
+    return np.asarray(entry(level) + entry(slope) * np.where(beyond > 0.0, beyond, 0.0), dtype=np.float64)
+
+
+def lasting(sound: Array, time: Array, step: Array, allowed: Array) -> Array:
+    """Return for how long a signal was not sound, counted up to a step more than `allowed`.
+
+    A sound step takes back one that was not, so that a signal that is bad half of the time does not pass. Half a step
+    of tolerance keeps rounding out of the comparison with `allowed`.
+    """
+    counted = np.where(np.asarray(time) < allowed, time, allowed)
+    left = np.where(counted > step, counted, step) - step
+    return np.where(np.asarray(sound) > 0.5, left, counted + step)
 
 
 def still(value: Array, before: Array, time: Array, step: Array) -> Array:

@@ -110,7 +110,11 @@ class NumpyBlock:
         for statement in self.block.statements(section):
             if isinstance(statement, Assign):
                 lookup = _Elements(table)
-                _store(table, statement.target, evaluate(statement.expression, lookup, _ARITHMETIC))
+                value = evaluate(statement.expression, lookup, _ARITHMETIC)
+                if statement.condition is not None:
+                    holds = evaluate(statement.condition, lookup, _ARITHMETIC)
+                    value = np.where(holds, value, lookup[statement.target])
+                _store(table, statement.target, value)
             else:
                 self._call(statement, table)
 

@@ -87,6 +87,7 @@ def controller_block(
     w.plausible |= pair_bounds(w) | ratio_bounds(decoupling)
     names = [*references.values(), *ratio_inputs(decoupling), *_used_sensors(w)]
     measured = supervise(w, names, h)
+    supervision = len(w.statements)
     w.parameter("load_compensation", "", "switch of the load torque compensation, 0 to 1", 1.0, most=1.0)
     w.parameter("acceleration_torque", "", "switch of the acceleration torque, 0 to 1", 1.0, most=1.0)
     load = follow(w, "load_compensation")
@@ -147,7 +148,7 @@ def controller_block(
         states=tuple(w.states.values()),
         derived=tuple(w.derived.values()),
         prepare=tuple(w.preparation),
-        step=tuple(w.statements),
+        step=(*w.statements[:supervision], *w.restart, *w.statements[supervision:]),
         faults=tuple(w.faults),
     )
     return ControllerBlock(block, _conventional(decoupling, gains), references)

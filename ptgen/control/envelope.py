@@ -47,7 +47,8 @@ def envelope(w: ControllerWriter, machine: int, measured: Mapping[str, sp.Symbol
     end = w.derive(f"{name}_taper_end", "", "share at standstill if it were not limited", 1 + largest / width)
     speed = measured[w.speed_sensor(machine)]
     source = "torque-speed envelope, Figure 7.1"
-    available = w.assign(f"{name}_available", w.of_bed(drive.torque_max) * rated / sp.Max(rated, sp.Abs(speed)), source)
+    power = w.derive(f"{name}_power", "W", f"power of {name} above its rated speed", w.of_bed(drive.torque_max) * rated)
+    available = w.assign(f"{name}_available", power / sp.Max(rated, sp.Abs(speed)), source)
     above, below = (sp.Max(0, sp.Min(1, end - sign * slope * speed)) for sign in (1, -1))
     return Envelope(
         least=w.assign(f"{name}_least", -available * below, source),

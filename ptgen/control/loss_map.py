@@ -60,16 +60,17 @@ def _loss_torque(w: ControllerWriter, name: str, row: sp.Matrix, measured: Mappi
     if losses.is_odd and losses.speed[0] == losses.torque[0] == 0:
         torques.insert(0, sp.Integer(0))
     whole = points(losses, torques)
-    grid, slope, first = f"{name}_loss_speeds", f"{name}_loss_slopes", f"{name}_loss_first"
+    grid, slope, level = f"{name}_loss_speeds", f"{name}_loss_slopes", f"{name}_loss_levels"
     w.derived[grid] = Signal(grid, "rad/s", f"speeds of the loss torque of {name}", (len(whole),))
     w.derived[slope] = Signal(slope, "N m s/rad", f"slopes of the loss torque of {name}", (len(whole),))
+    w.derived[level] = Signal(level, "N m", f"loss torque of {name} at these speeds", (len(whole),))
     for k, (speed, torque) in enumerate(whole):
         w.preparation.append(Assign(f"{grid}[{k}]", sp.Float(speed)))
+        w.preparation.append(Assign(f"{level}[{k}]", torque))
         following = whole[min(k + 1, len(whole) - 1)]
         width = following[0] - speed
         w.preparation.append(Assign(f"{slope}[{k}]", (following[1] - torque) / width if width else sp.Integer(0)))
-    w.derive(first, "N m", f"loss torque of {name} at and below its least speed", whole[0][1])
     source = "known loss torque (5.96)"
     w.assign(f"{name}_loss_speed", w.sensor_sum(f"{name}_loss_per", row, measured), source)
-    w.statements.append(Call("lookup", (f"{name}_known_loss",), (f"{name}_loss_speed", grid, slope, first), source))
+    w.statements.append(Call("lookup", (f"{name}_known_loss",), (f"{name}_loss_speed", grid, slope, level), source))
     return signal_symbol(f"{name}_known_loss")

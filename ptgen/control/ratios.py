@@ -45,7 +45,7 @@ def changing_ratios(w: ControllerWriter, measured: Mapping[str, sp.Symbol]) -> d
         least = w.parameter(f"{name}_least", "", f"least {name}", span[0], None, allowed=False)
         most = w.parameter(f"{name}_most", "", f"largest {name}", span[1], None, allowed=False)
         inside = w.assign(f"{name}_inside", sp.Max(least, sp.Min(most, measured[name])), "range and rate of the ratio")
-        now = limited(w, name, "", inside, inside, float(f"{(span[1] - span[0]) / SHIFT_TIME:.6g}"))
+        now = limited(w, name, "", inside, inside, float(f"{(span[1] - span[0]) / SHIFT_TIME:.6g}"), here=True)
         if any(entry != 0 for entry in w.design.law.ratio_rates.get(name, ())):
             per_step = w.derive("steps_per_second", "1/s", "one over the step", 1 / signal_symbol("sample_time"))
             rates[name] = w.assign(f"{name}_change", (now - signal_symbol(f"{name}_before")) * per_step)

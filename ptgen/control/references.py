@@ -54,7 +54,9 @@ def pair_bounds(w: ControllerWriter) -> dict[str, float]:
     return bounds
 
 
-def limited(w: ControllerWriter, name: str, unit: str, target: sp.Expr, start: sp.Expr, rate: float) -> sp.Symbol:
+def limited(
+    w: ControllerWriter, name: str, unit: str, target: sp.Expr, start: sp.Expr, rate: float, *, here: bool = False
+) -> sp.Symbol:
     """Return a signal behind a rate limiter.
 
     Parameters
@@ -69,13 +71,15 @@ def limited(w: ControllerWriter, name: str, unit: str, target: sp.Expr, start: s
         What it is in the first step.
     rate : float
         Default of its largest rate (unit/s).
+    here : bool
+        Whether `start` is not known before, see `ControllerWriter.previous`.
     """
     most = w.parameter(
         f"{name}_rate", f"{unit}/s".replace("rad/s/s", "rad/s^2"), f"largest rate of {name}", rate, allowed=False
     )
     step = w.derive(f"{name}_step", unit, f"largest change of {name} in a step", signal_symbol("sample_time") * most)
     state = w.state(f"{name}_limited", unit, f"{name} behind its rate limiter")
-    before = w.assign(f"{name}_before", w.previous(state, start), "limit of the rate")
+    before = w.assign(f"{name}_before", w.previous(state, start, here=here), "limit of the rate")
     return w.assign(state.name, before + sp.Max(-step, sp.Min(step, target - before)))
 
 

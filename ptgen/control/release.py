@@ -41,10 +41,11 @@ def release(w: ControllerWriter, commands: dict[int, sp.Symbol], h: sp.Symbol) -
             f"fault_{output.name}",
             f"{output.name}: the command is not finite, or beyond the torque of the machine",
         )
-        causes.append(w.cause(fault, 1 - signal_symbol(f"{name}_released_sound")))
+        causes.append((fault, signal_symbol(f"{name}_released_sound") > HALF))
         outputs.append(output)
-    fault_state = w.latch(causes, "cause_of_commands", "the first fault is latched")
-    failed = fault_state > HALF
+    w.latch(causes, "cause_of_commands", "the first fault is latched")
+    fault = signal_symbol("fault")
+    failed = fault > HALF
     # The ramp goes down after a fault, and up otherwise; NaN gives zero.
     slope = w.derive("ramp_step", "", "change of the released share per step", h / signal_symbol("fault_ramp"))
     authority = signal_symbol("authority")
@@ -52,10 +53,11 @@ def release(w: ControllerWriter, commands: dict[int, sp.Symbol], h: sp.Symbol) -
     w.call("share", (authority.name,), ("authority_wanted",), "ramp of the torques")
     w.assign("running", sp.Piecewise((sp.Integer(0), failed), (1, True)), "ramp of the torques")
     for name in w.design.machines:
-        last, released = signal_symbol(f"{name}_last"), signal_symbol(f"{name}_released")
-        w.assign(last.name, sp.Piecewise((last, failed), (released, True)))
-        rating = ratings[name]
-        w.assign(f"{name}_torque_ref", sp.Max(-rating, sp.Min(rating, last * authority)))
+        released = signal_symbol(f"{name}_released")
+        w.assign(f"{name}_last", released, "ramp of the torques", condition=fault <= HALF)
+    for name, rating in ratings.items():
+        applied = signal_symbol(f"{name}_last") * authority
+        w.assign(f"{name}_torque_ref", sp.Max(-rating, sp.Min(rating, applied)))
     return tuple(outputs)
 
 

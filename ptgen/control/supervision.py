@@ -18,6 +18,7 @@ Numbers from 1000 to 2999 are those of every block: failed preparation, refused 
 from __future__ import annotations
 
 import sympy as sp
+from sympy.logic.boolalg import And, Boolean
 
 from ptgen.block.block import Fault, Signal
 from ptgen.control.plausibility import overspeed, plausible
@@ -42,7 +43,10 @@ def supervise(w: ControllerWriter, names: list[str], h: sp.Symbol) -> dict[str, 
     h : Symbol
         Step of the controller.
     """
-    w.parameter("hold_time", "s", "bad samples are bridged for that long, and no longer", w.tuning.hold_time)
+    hold_time = w.parameter(
+        "hold_time", "s", "bad samples are bridged for that long, and no longer", w.tuning.hold_time
+    )
+    w.derive("bridged_time", "s", "for how long bad samples are bridged, with room for rounding", hold_time + HALF * h)
     w.state("fault", "", "0, or the status of the first fault", monitor=True)
     w.state("authority", "", "share of the torques that is released; goes along the ramp", 1.0, monitor=True)
     w.state("running", "", "1 if the last step ran without a fault, 0 before and after", monitor=True)
@@ -64,7 +68,7 @@ def supervise(w: ControllerWriter, names: list[str], h: sp.Symbol) -> dict[str, 
     return measured
 
 
-def _bridge(w: ControllerWriter, name: str, number: int, h: sp.Symbol) -> tuple[sp.Symbol, sp.Symbol]:
+def _bridge(w: ControllerWriter, name: str, number: int, h: sp.Symbol) -> tuple[tuple[Fault, Boolean], Boolean]:
     """Hold the last sound value of an input; return what it says of a fault, and whether this sample is sound."""
     unit = "rad/s" if "_speed" in name else "" if name in w.plausible else "N m"
     text = "reference" if name.endswith("_ref") else "measured"
@@ -76,14 +80,14 @@ def _bridge(w: ControllerWriter, name: str, number: int, h: sp.Symbol) -> tuple[
     time = w.state(f"{name}_bad_time", "s", f"for how long {name} was bad", NEVER_SOUND, monitor=True)
     flag = signal_symbol(f"{name}_sound")
     w.call("guard", (held.name, flag.name), (name, largest, held), "supervision: bad samples are bridged")
-    w.call("lasting", (time.name, f"{name}_lost"), (flag, time, h, "hold_time"))
+    w.call("lasting", (time.name,), (flag, time, h, "hold_time"))
     fault = Fault(number, f"fault_{name}", f"{name}: not finite or not plausible")
-    return w.cause(fault, signal_symbol(f"{name}_lost")), flag
+    return (fault, time <= signal_symbol("bridged_time")), sp.Abs(signal_symbol(name)) <= largest
 
 
 def _limit_speed(
     w: ControllerWriter, machine: str, sensor: str, number: int, h: sp.Symbol
-) -> tuple[sp.Symbol, sp.Symbol]:
+) -> tuple[tuple[Fault, Boolean], Boolean]:
     limit = w.parameter(
         f"{machine}_overspeed",
         "rad/s",
@@ -96,12 +100,12 @@ def _limit_speed(
     flag = w.assign(
         f"{machine}_slow_enough", sp.Piecewise((sp.Integer(1), sp.Abs(speed) <= limit), (0, True)), "overspeed"
     )
-    w.call("lasting", (time.name, f"{machine}_too_fast"), (flag, time, h, "hold_time"))
+    w.call("lasting", (time.name,), (flag, time, h, "hold_time"))
     fault = Fault(4000 + number, f"fault_{sensor}_overspeed", f"{sensor}: overspeed")
-    return w.cause(fault, signal_symbol(f"{machine}_too_fast")), flag
+    return (fault, time <= signal_symbol("bridged_time")), sp.Abs(speed) <= limit
 
 
-def _reset(w: ControllerWriter, sound: list[sp.Symbol]) -> None:
+def _reset(w: ControllerWriter, sound: list[Boolean]) -> None:
     """Take back the latched fault on request: rising edge of `reset`, all inputs sound, and no torque any more.
 
     A request that comes while the torques are still on their way to zero waits for that.
@@ -114,9 +118,10 @@ def _reset(w: ControllerWriter, sound: list[sp.Symbol]) -> None:
     # false for NaN and infinity
     pressed = sp.Piecewise((sp.Integer(1), sp.Abs(signal_symbol("reset") - 1) <= HALF), (0, True))
     pressed = w.assign("reset_pressed", pressed, text)
-    clear = w.assign("inputs_sound", sp.Min(*sound), text)
-    latched = w.assign("latched", sp.Piecewise((sp.Integer(1), fault > HALF), (0, True)), text)
-    wanted = sp.Max(pressed - before, request) * clear * latched * (1 - refused)
+    asked = sp.Max(pressed - before, request) * (1 - refused)
+    zero = sp.Integer(0)
+    asked = sp.Piecewise((asked, And(*sound)), (zero, True))
+    wanted = sp.Piecewise((asked, fault > HALF), (zero, True), evaluate=False)
     w.assign(request.name, wanted, text)
     w.assign(before.name, pressed, text)
     accepted = sp.Piecewise((request, signal_symbol("authority") <= 0), (0, True))

@@ -53,12 +53,10 @@ def follow(w: ControllerWriter, name: str, unit: str = "") -> Switch:
     before = w.assign(f"{name}_before", w.previous(now, value), f"{name} follows its parameter along a ramp")
     distance = w.assign(f"{name}_distance", value - before)
     least = RESOLUTION * (sp.Abs(value) + sp.Abs(before))  # less would be lost in rounding, and never arrive
-    wanted = sp.Max(sp.Abs(distance) * share, least)
-    moved = w.assign(f"{name}_moved", sp.Piecewise((wanted, sp.Ne(value, target)), (step, True)))
+    w.assign(step.name, sp.Max(sp.Abs(distance) * share, least), condition=sp.Ne(value, target))
     # In this order a step that is not a number lands at once, so that none is left after a fault.
-    w.assign(
-        now.name, sp.Piecewise((before + moved, distance > moved), (before - moved, -distance > moved), (value, True))
-    )
-    w.assign(step.name, sp.Piecewise((moved, sp.Abs(distance) > moved), (sp.Integer(0), True)))
+    far = sp.Abs(distance) > step
+    w.assign(now.name, sp.Piecewise((before + sp.Max(-step, sp.Min(step, distance)), far), (value, True)))
+    w.assign(step.name, sp.Piecewise((step, far), (sp.Integer(0), True)))
     w.assign(target.name, value)
     return Switch(now, before)

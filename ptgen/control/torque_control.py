@@ -50,7 +50,7 @@ def torque_feedback(
     )
     torque = w.assign(f"{place}_estimate", estimate, "testing torque from the sensors (5.95), (5.96), (5.98)")
     signal = f"{place}_ref"
-    reference = limited(w, signal, "N m", measured[signal], torque, w.gains.torque_rate[name])
+    reference = limited(w, signal, "N m", measured[signal], torque, w.gains.torque_rate[name], here=True)
     expected = _expected_torque(w, name, reference, torque)
     error = w.assign(f"{name}_torque_error", expected - torque)
     integral = w.state(f"{name}_torque_integral", "N m", f"integrator of the torque control of {name}")
@@ -179,7 +179,7 @@ def _expected_torque(w: ControllerWriter, name: str, reference: sp.Symbol, start
     model = w.state(f"{name}_model_torque", "N m", f"torque that the feedforward to {name} should give")
     rate = w.state(f"{name}_model_rate", "N m/s", f"rate of the torque model of {name}")
     source = "torque model (5.57), (5.76)"
-    expected = w.assign(f"{name}_model_before", w.previous(model, start), source)
+    expected = w.assign(f"{name}_model_before", w.previous(model, start, here=True), source)
     moving = w.assign(f"{name}_rate_before", w.previous(rate, sp.Integer(0)), source)
     w.assign(rate.name, moving + pull * (reference - expected) - drag * moving, source)
     w.assign(model.name, expected + h * rate)

@@ -26,6 +26,7 @@ The sixth trips. A step or a ramp makes one or two; an unstable loop that drives
 from __future__ import annotations
 
 import sympy as sp
+from sympy.logic.boolalg import Boolean, Or
 
 from ptgen.block.block import Fault
 from ptgen.control.measured_law import Balance
@@ -55,7 +56,7 @@ def watch(w: ControllerWriter, names: list[str], measured: dict[str, sp.Symbol],
     h : Symbol
         Step of the controller.
     """
-    causes: list[sp.Symbol] = []
+    causes: list[tuple[Fault, Boolean]] = []
     for name in w.design.machines:
         applied = signal_symbol(f"{name}_last") * signal_symbol("authority")
         w.assign(f"{name}_applied", applied, "torque commands of the step before")
@@ -129,7 +130,7 @@ def _speed(
     names: list[str],
     measured: dict[str, sp.Symbol],
     h: sp.Symbol,
-) -> list[sp.Symbol]:
+) -> list[tuple[Fault, Boolean]]:
     """Watch a speed: frozen, or in disagreement with the torques."""
     name, sensor = w.design.machines[machine], w.speed_sensor(machine)
     number = names.index(sensor) + 1
@@ -153,15 +154,15 @@ def _speed(
     agrees = w.assign(
         f"{name}_agrees", sp.Piecewise((sp.Integer(1), difference <= limit), (0, True)), "speed against torques"
     )
-    w.call("lasting", (time.name, f"{name}_disagrees"), (agrees, time, h, "hold_time"), "speed against torques")
+    w.call("lasting", (time.name,), (agrees, time, h, "hold_time"), "speed against torques")
     still = _still(w, sensor, measured[sensor], h)
     frozen = Fault(
         3000 + number, f"fault_{sensor}_frozen", f"{sensor}: frozen while the torques accelerate the machine"
     )
     apart = Fault(5000 + number, f"fault_{sensor}_disagreement", f"{sensor}: disagrees with the integrated torque")
     return [
-        w.cause(frozen, sp.Min(still - frozen_time, difference - frozen_limit)),
-        w.cause(apart, signal_symbol(f"{name}_disagrees")),
+        (frozen, Or(still <= frozen_time, difference <= frozen_limit)),
+        (apart, time <= signal_symbol("bridged_time")),
     ]
 
 
@@ -169,8 +170,7 @@ def _still(w: ControllerWriter, sensor: str, value: sp.Symbol, h: sp.Symbol) -> 
     """Return for how long a signal has been the same to the last bit."""
     before = w.state(f"{sensor}_before", w.inputs[sensor].unit, f"{sensor} in the step before", monitor=True)
     time = w.state(f"{sensor}_still_time", "s", f"for how long {sensor} has been the same", monitor=True)
-    w.assign(time.name, w.previous(time, sp.Integer(0)), f"{sensor} to the last bit")
-    w.call("still", (time.name,), (value, before, time, h))
+    w.call("still", (time.name,), (value, before, w.previous(time, sp.Integer(0)), h), f"{sensor} to the last bit")
     w.assign(before.name, value, f"{sensor} to the last bit")
     return time
 
@@ -183,21 +183,26 @@ def _frozen_torque(
     names: list[str],
     measured: dict[str, sp.Symbol],
     h: sp.Symbol,
-) -> sp.Symbol:
+) -> tuple[Fault, Boolean]:
     name, number = w.design.machines[machine], names.index(sensor) + 1
     still = _still(w, sensor, measured[sensor], h)
     command = w.state(f"{sensor}_command", "N m", f"command to {name} when {sensor} last changed", monitor=True)
     applied = _applied(w, machine)
     w.assign(command.name, sp.Piecewise((command, still > 0), (applied, True)), f"{sensor} to the last bit")
-    moved = sp.Abs(applied - command) - sp.Float(MOVED_SHARE) * signal_symbol(f"{name}_torque_max")
+    least = w.derive(
+        f"{name}_moved_torque",
+        "N m",
+        f"change of the command to {name} that a torque must follow",
+        sp.Float(MOVED_SHARE) * signal_symbol(f"{name}_torque_max"),
+    )
     fault = Fault(3000 + number, f"fault_{sensor}_frozen", f"{sensor}: frozen while the torque of the machine changes")
-    late, apart = still - signal_symbol("frozen_time"), difference - signal_symbol(f"{name}_frozen_limit")
-    return w.cause(fault, sp.Min(late, apart, moved))
+    changes, agrees = still <= signal_symbol("frozen_time"), difference <= signal_symbol(f"{name}_frozen_limit")
+    return fault, Or(changes, agrees, sp.Abs(applied - command) <= least)
 
 
 def _oscillation(
     w: ControllerWriter, fault: Fault, name: str, torque: sp.Symbol, start: sp.Expr, amplitude: float
-) -> sp.Symbol:
+) -> tuple[Fault, Boolean]:
     limit = w.parameter(
         f"{name}_oscillation_limit", "N m", f"amplitude with which {name} may oscillate", amplitude, allowed=False
     )
@@ -207,6 +212,6 @@ def _oscillation(
     before = w.assign(f"{name}_mean_before", w.previous(mean, start), f"oscillation of {name}")
     swing = w.assign(f"{name}_swing", torque - before)
     w.assign(mean.name, before + signal_symbol("mean_share") * swing)
-    w.assign(count.name, w.previous(count, sp.Integer(0)))
-    w.call("swings", (side.name, count.name), (swing, limit, side, count, "forgotten_swings"))
-    return w.cause(fault, count - sp.Float(SWINGS - 0.5))
+    counted = w.previous(count, sp.Integer(0))
+    w.call("swings", (side.name, count.name), (swing, limit, side, counted, "forgotten_swings"))
+    return fault, count <= sp.Float(SWINGS - 0.5)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 import sympy as sp
+from sympy.logic.boolalg import Boolean
 
 from ptgen.block.block import Assign, Call, Fault, Signal, Statement
 from ptgen.control.decoupling import Decoupling
@@ -19,10 +20,6 @@ __all__ = ["ControllerWriter", "signal_symbol"]
 def signal_symbol(name: str) -> sp.Symbol:
     """Return the symbol of a signal of the block."""
     return sp.Symbol(name, real=True)
-
-
-_SOUND = 9999
-"""Greater than every status: no cause."""
 
 
 class ControllerWriter:
@@ -56,6 +53,8 @@ class ControllerWriter:
         self.states: dict[str, Signal] = {}
         self.inputs: dict[str, Signal] = {}
         self.statements: list[Statement] = []
+        self.restart: list[Statement] = []
+        """Where every state starts; stands behind the supervision of the inputs."""
         self.faults: list[Fault] = []
         self.derived: dict[str, Signal] = {}
         self.preparation: list[Statement] = []
@@ -109,23 +108,21 @@ class ControllerWriter:
         self.states[name] = Signal(name, unit, text, value=value, monitor=monitor)
         return signal_symbol(name)
 
-    def cause(self, fault: Fault, excess: sp.Expr) -> sp.Symbol:
-        """Declare a fault that is present where `excess` is positive, and return the symbol of its status.
+    def latch(self, causes: Sequence[tuple[Fault, Boolean]], name: str, source: str) -> None:
+        """Declare faults, each with the condition under which all is well, and latch the one with the lowest status.
 
-        The symbol stands for a number greater than every status while there is no fault.
+        The conditions are taken one after the other, so it costs next to nothing while all is well. One that compares
+        with a number that is not finite does not hold.
         """
-        self.faults.append(fault)
-        number = sp.Piecewise((sp.Integer(fault.status), excess > 0), (sp.Integer(_SOUND), True))
-        return self.assign(f"cause_{fault.name}", number)
-
-    def latch(self, causes: list[sp.Symbol], name: str, source: str) -> sp.Symbol:
-        """Latch the cause with the lowest status, unless one is latched already."""
+        self.faults += [fault for fault, _ in causes]
         if not causes:
-            return signal_symbol("fault")
-        first = self.assign(name, sp.Min(*causes), source)
-        fault = signal_symbol("fault")
-        none = sp.Piecewise((sp.Integer(0), first > _SOUND - 1), (first, True))
-        return self.assign("fault", sp.Piecewise((fault, fault > sp.Rational(1, 2)), (none, True)))
+            return
+        first: sp.Expr = sp.Integer(0)
+        for fault, well in sorted(causes, key=lambda cause: -cause[0].status):
+            first = sp.Piecewise((first, well), (sp.Integer(fault.status), True), evaluate=False)
+        latched = signal_symbol("fault")
+        self.assign(name, first, source)
+        self.assign("fault", sp.Piecewise((latched, latched > sp.Rational(1, 2)), (signal_symbol(name), True)))
 
     def call(
         self, kernel: str, outputs: tuple[str, ...], inputs: tuple[str | sp.Symbol, ...], source: str = ""
@@ -134,9 +131,11 @@ class ControllerWriter:
         names = tuple(item if isinstance(item, str) else item.name for item in inputs)
         self.statements.append(Call(kernel, outputs, names, source))
 
-    def assign(self, target: str, expression: sp.Expr, source: str = "") -> sp.Symbol:
-        """Add an assignment and return its target."""
-        self.statements.append(Assign(target, expression, source))
+    def assign(
+        self, target: str, expression: sp.Expr, source: str = "", *, condition: Boolean | None = None
+    ) -> sp.Symbol:
+        """Add an assignment and return its target; see `Assign` for the condition."""
+        self.statements.append(Assign(target, expression, source, condition))
         return signal_symbol(target)
 
     def derive(self, name: str, unit: str, text: str, expression: sp.Expr) -> sp.Symbol:
@@ -206,6 +205,16 @@ class ControllerWriter:
 
     # -- the first step, and the first one after a fault
 
-    def previous(self, state: sp.Symbol, start: sp.Expr) -> sp.Expr:
-        """Return a state as the last step left it, or `start` if that step did not run, see `running`."""
-        return sp.Piecewise((state, self.running > sp.Rational(1, 2)), (start, True))
+    def previous(self, state: sp.Symbol, start: sp.Expr, *, here: bool = False) -> sp.Symbol:
+        """Return a state as the last step left it, or `start` if that step did not run, see `running`.
+
+        All states get their `start` at one place, behind the supervision of the inputs; with `here` at the present
+        one, if `start` is only known now.
+        """
+        anew = Assign(state.name, start, "the first step, and the first one after a fault, starts anew", self._stopped)
+        (self.statements if here else self.restart).append(anew)
+        return state
+
+    @property
+    def _stopped(self) -> Boolean:
+        return self.running <= sp.Rational(1, 2)

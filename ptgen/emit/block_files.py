@@ -35,7 +35,7 @@ def common_context(prefix: str, bed_file: str, digest: str, precision: Precision
         "taylor_degree": TAYLOR_DEGREE,
         "deficient_limit": DEFICIENT,
         "rounding": ROUNDING,
-        **{function: f"{function}{suffix}" for function in ("sqrt", "floor", "exp", "sin")},
+        **{function: f"{function}{suffix}" for function in ("sqrt", "floor", "exp", "sin", "fabs")},
     }
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import textwrap
 from dataclasses import dataclass
 
@@ -187,18 +188,27 @@ class CBlock:
         declared: set[str] = set()
         printer = CExpressions(self.prefix, self.precision, self._place)
         source = ""
-        for statement in statements:
-            if statement.source and statement.source != source:
-                result.append(f"/* {statement.source} */")
-            source = statement.source or source
-            result += [part for line in self._statement(statement, printer, declared) for part in _wrapped(line)]
+        for condition, group in itertools.groupby(statements, key=lambda s: getattr(s, "condition", None)):
+            margin = ""
+            if condition is not None:
+                result.append(f"if ({printer.doprint(condition)}) {{")
+                margin = "    "
+            for statement in group:
+                if statement.source and statement.source != source:
+                    result.append(f"{margin}/* {statement.source} */")
+                source = statement.source or source
+                result += [
+                    margin + part for line in self._statement(statement, printer, declared) for part in _wrapped(line)
+                ]
+            if condition is not None:
+                result.append("}")
         return result
 
     def _arrays(self, section: Section) -> list[tuple[str, str]]:
         used: set[str] = set()
         for statement in self.block.statements(section):
             if isinstance(statement, Assign):
-                names = [statement.target, *(symbol.name for symbol in statement.expression.free_symbols)]
+                names = [statement.target, *(symbol.name for symbol in statement.free_symbols)]
             else:
                 names = [*statement.outputs, *statement.inputs]
             used |= {parse_element(name)[0] for name in names}
@@ -209,7 +219,7 @@ class CBlock:
         names = {signal.name for signal in getattr(self.block, kind)}
         for statement in self.block.statements(section):
             if isinstance(statement, Assign):
-                touched = [statement.target, *(symbol.name for symbol in statement.expression.free_symbols)]
+                touched = [statement.target, *(symbol.name for symbol in statement.free_symbols)]
             else:
                 touched = [*statement.outputs, *statement.inputs]
             if names & {parse_element(name)[0] for name in touched}:
