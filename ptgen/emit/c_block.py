@@ -6,6 +6,9 @@ import itertools
 import textwrap
 from dataclasses import dataclass
 
+import sympy as sp
+from sympy.logic.boolalg import Boolean
+
 from ptgen.block.block import Assign, Block, Call, Section, Signal, Statement, parse_element
 from ptgen.emit.c_expressions import CExpressions, Precision, literal
 from ptgen.emit.friction_source import uses_friction
@@ -49,6 +52,16 @@ class CInput:
 def _wrapped(line: str) -> list[str]:
     """Break a long statement between its tokens."""
     return textwrap.wrap(line, _WIDTH, subsequent_indent="    ", break_long_words=False) or [line]
+
+
+def _chain(expression: sp.Expr) -> list[tuple[sp.Expr, Boolean]]:
+    """Return values and the conditions under which the next one is taken, of what `ControllerWriter.latch` writes."""
+    chain: list[tuple[sp.Expr, Boolean]] = []
+    while isinstance(expression, sp.Piecewise) and len(expression.args) == 2 and expression.args[1][0].is_Number:
+        (following, condition), (value, _) = expression.args
+        chain.append((value, condition))
+        expression = following
+    return [*chain, (expression, sp.true)]
 
 
 def padded(count: int) -> int:
@@ -229,12 +242,22 @@ class CBlock:
     def _statement(self, statement: Statement, printer: CExpressions, declared: set[str]) -> list[str]:
         if isinstance(statement, Assign):
             place = self._place(statement.target)
+            if len(_chain(statement.expression)) > 2 and place == statement.target:
+                declared.add(place)
+                return self._choice(statement, printer)
             text = printer.doprint(statement.expression).replace("*", " * ").replace("/", " / ")
             if place == statement.target and "[" not in place and place not in declared:
                 declared.add(place)
                 return [f"const {self.prefix}_real {place} = {text};"]
             return [f"{place} = {text};"]
         return self._call(statement, declared)
+
+    def _choice(self, statement: Assign, printer: CExpressions) -> list[str]:
+        """Return a chain of conditions, one below the other, as the declaration of a local scalar."""
+        *chain, (last, _) = _chain(statement.expression)
+        lines = [f"const {self.prefix}_real {statement.target} ="]
+        lines += [f"    !({printer.doprint(well)}) ? {printer.doprint(value)} :" for value, well in chain]
+        return [*lines, f"    {printer.doprint(last)};"]
 
     def _call(self, call: Call, declared: set[str]) -> list[str]:
         lines = []

@@ -106,6 +106,19 @@ def test_block_refuses_names_used_before_assignment(projects: dict[str, Project]
         replace(block, step=(Assign("a", sp.Symbol("nowhere")), *block.step))
 
 
+def test_a_conditional_assignment_needs_a_value_to_keep(projects: dict[str, Project]) -> None:
+    from dataclasses import replace
+
+    import sympy as sp
+
+    from ptgen.block.block import Assign
+
+    block = projects["back_to_back"].controller
+    anew = Assign("unknown", sp.Integer(0), condition=sp.Symbol("running", real=True) > 0)
+    with pytest.raises(ValueError, match="left without a value"):
+        replace(block, step=(*block.step, anew))
+
+
 def test_c_arrays_are_padded_to_four_rows(projects: dict[str, Project]) -> None:
     block = CBlock(projects["differential"].plant, "differential", "double")
     rows = next(field for field in block.derived if field.name == "transition").dimensions
