@@ -490,23 +490,34 @@ all_wheel_drive_controller_status all_wheel_drive_controller_update(all_wheel_dr
             return (all_wheel_drive_controller_status)(2000 + k);
         }
     }
+    s->bridged_time = p->hold_time + (0.5) * p->sample_time;
     s->switch_share = p->sample_time / p->switch_time;
     s->M1_taper_slope = 1.0 / p->M1_speed_taper;
     s->M1_taper_end = p->M1_speed_max / p->M1_speed_taper + 1.0;
+    s->M1_power = p->M1_speed_rated * p->M1_torque_max;
     s->M2_taper_slope = 1.0 / p->M2_speed_taper;
     s->M2_taper_end = p->M2_speed_max / p->M2_speed_taper + 1.0;
+    s->M2_power = p->M2_speed_rated * p->M2_torque_max;
     s->M3_taper_slope = 1.0 / p->M3_speed_taper;
     s->M3_taper_end = p->M3_speed_max / p->M3_speed_taper + 1.0;
+    s->M3_power = p->M3_speed_rated * p->M3_torque_max;
     s->M4_taper_slope = 1.0 / p->M4_speed_taper;
     s->M4_taper_end = p->M4_speed_max / p->M4_speed_taper + 1.0;
+    s->M4_power = p->M4_speed_rated * p->M4_torque_max;
     s->M5_taper_slope = 1.0 / p->M5_speed_taper;
     s->M5_taper_end = p->M5_speed_max / p->M5_speed_taper + 1.0;
+    s->M5_power = p->M5_speed_rated * p->M5_torque_max;
     s->disagreement_share = p->disagreement_leak * p->sample_time;
     s->M1_per_step = p->sample_time / p->M1_inertia;
+    s->M1_moved_torque = 0.05 * p->M1_torque_max;
     s->M2_per_step = p->sample_time / p->M2_inertia;
+    s->M2_moved_torque = 0.05 * p->M2_torque_max;
     s->M3_per_step = p->sample_time / p->M3_inertia;
+    s->M3_moved_torque = 0.05 * p->M3_torque_max;
     s->M4_per_step = p->sample_time / p->M4_inertia;
+    s->M4_moved_torque = 0.05 * p->M4_torque_max;
     s->M5_per_step = p->sample_time / p->M5_inertia;
+    s->M5_moved_torque = 0.05 * p->M5_torque_max;
     s->forgotten_swings = p->oscillation_frequency * p->sample_time;
     s->mean_share = 6.2832 * p->oscillation_frequency * p->sample_time;
     s->M2_speed_ref_step = p->M2_speed_ref_rate * p->sample_time;
@@ -554,257 +565,267 @@ all_wheel_drive_controller_status all_wheel_drive_controller_step(all_wheel_driv
     all_wheel_drive_real centre_input_torque_ref_sound;
     all_wheel_drive_guard(in->centre_input_torque_ref, p->centre_input_torque_ref_plausible,
         s->centre_input_torque_ref_held, &s->centre_input_torque_ref_held, &centre_input_torque_ref_sound);
-    all_wheel_drive_real centre_input_torque_ref_lost;
     all_wheel_drive_lasting(centre_input_torque_ref_sound, s->centre_input_torque_ref_bad_time, p->sample_time,
-        p->hold_time, &s->centre_input_torque_ref_bad_time, &centre_input_torque_ref_lost);
-    const all_wheel_drive_real cause_fault_centre_input_torque_ref =
-        all_wheel_drive_select(centre_input_torque_ref_lost > 0.0, 1.0, 9999.0);
+        p->hold_time, &s->centre_input_torque_ref_bad_time);
     all_wheel_drive_real M2_speed_ref_sound;
     all_wheel_drive_guard(in->M2_speed_ref, p->M2_speed_ref_plausible, s->M2_speed_ref_held, &s->M2_speed_ref_held,
         &M2_speed_ref_sound);
-    all_wheel_drive_real M2_speed_ref_lost;
     all_wheel_drive_lasting(M2_speed_ref_sound, s->M2_speed_ref_bad_time, p->sample_time, p->hold_time,
-        &s->M2_speed_ref_bad_time, &M2_speed_ref_lost);
-    const all_wheel_drive_real cause_fault_M2_speed_ref = all_wheel_drive_select(M2_speed_ref_lost > 0.0, 2.0,
-        9999.0);
+        &s->M2_speed_ref_bad_time);
     all_wheel_drive_real M3_speed_ref_sound;
     all_wheel_drive_guard(in->M3_speed_ref, p->M3_speed_ref_plausible, s->M3_speed_ref_held, &s->M3_speed_ref_held,
         &M3_speed_ref_sound);
-    all_wheel_drive_real M3_speed_ref_lost;
     all_wheel_drive_lasting(M3_speed_ref_sound, s->M3_speed_ref_bad_time, p->sample_time, p->hold_time,
-        &s->M3_speed_ref_bad_time, &M3_speed_ref_lost);
-    const all_wheel_drive_real cause_fault_M3_speed_ref = all_wheel_drive_select(M3_speed_ref_lost > 0.0, 3.0,
-        9999.0);
+        &s->M3_speed_ref_bad_time);
     all_wheel_drive_real M4_speed_ref_sound;
     all_wheel_drive_guard(in->M4_speed_ref, p->M4_speed_ref_plausible, s->M4_speed_ref_held, &s->M4_speed_ref_held,
         &M4_speed_ref_sound);
-    all_wheel_drive_real M4_speed_ref_lost;
     all_wheel_drive_lasting(M4_speed_ref_sound, s->M4_speed_ref_bad_time, p->sample_time, p->hold_time,
-        &s->M4_speed_ref_bad_time, &M4_speed_ref_lost);
-    const all_wheel_drive_real cause_fault_M4_speed_ref = all_wheel_drive_select(M4_speed_ref_lost > 0.0, 4.0,
-        9999.0);
+        &s->M4_speed_ref_bad_time);
     all_wheel_drive_real M5_speed_ref_sound;
     all_wheel_drive_guard(in->M5_speed_ref, p->M5_speed_ref_plausible, s->M5_speed_ref_held, &s->M5_speed_ref_held,
         &M5_speed_ref_sound);
-    all_wheel_drive_real M5_speed_ref_lost;
     all_wheel_drive_lasting(M5_speed_ref_sound, s->M5_speed_ref_bad_time, p->sample_time, p->hold_time,
-        &s->M5_speed_ref_bad_time, &M5_speed_ref_lost);
-    const all_wheel_drive_real cause_fault_M5_speed_ref = all_wheel_drive_select(M5_speed_ref_lost > 0.0, 5.0,
-        9999.0);
+        &s->M5_speed_ref_bad_time);
     all_wheel_drive_real M1_speed_sound;
     all_wheel_drive_guard(in->M1_speed, p->M1_speed_plausible, s->M1_speed_held, &s->M1_speed_held,
         &M1_speed_sound);
-    all_wheel_drive_real M1_speed_lost;
     all_wheel_drive_lasting(M1_speed_sound, s->M1_speed_bad_time, p->sample_time, p->hold_time,
-        &s->M1_speed_bad_time, &M1_speed_lost);
-    const all_wheel_drive_real cause_fault_M1_speed = all_wheel_drive_select(M1_speed_lost > 0.0, 6.0, 9999.0);
+        &s->M1_speed_bad_time);
     all_wheel_drive_real flange1_torque_sound;
     all_wheel_drive_guard(in->flange1_torque, p->flange1_torque_plausible, s->flange1_torque_held,
         &s->flange1_torque_held, &flange1_torque_sound);
-    all_wheel_drive_real flange1_torque_lost;
     all_wheel_drive_lasting(flange1_torque_sound, s->flange1_torque_bad_time, p->sample_time, p->hold_time,
-        &s->flange1_torque_bad_time, &flange1_torque_lost);
-    const all_wheel_drive_real cause_fault_flange1_torque = all_wheel_drive_select(flange1_torque_lost > 0.0, 7.0,
-        9999.0);
+        &s->flange1_torque_bad_time);
     all_wheel_drive_real flange2_torque_sound;
     all_wheel_drive_guard(in->flange2_torque, p->flange2_torque_plausible, s->flange2_torque_held,
         &s->flange2_torque_held, &flange2_torque_sound);
-    all_wheel_drive_real flange2_torque_lost;
     all_wheel_drive_lasting(flange2_torque_sound, s->flange2_torque_bad_time, p->sample_time, p->hold_time,
-        &s->flange2_torque_bad_time, &flange2_torque_lost);
-    const all_wheel_drive_real cause_fault_flange2_torque = all_wheel_drive_select(flange2_torque_lost > 0.0, 8.0,
-        9999.0);
+        &s->flange2_torque_bad_time);
     all_wheel_drive_real M2_speed_sound;
     all_wheel_drive_guard(in->M2_speed, p->M2_speed_plausible, s->M2_speed_held, &s->M2_speed_held,
         &M2_speed_sound);
-    all_wheel_drive_real M2_speed_lost;
     all_wheel_drive_lasting(M2_speed_sound, s->M2_speed_bad_time, p->sample_time, p->hold_time,
-        &s->M2_speed_bad_time, &M2_speed_lost);
-    const all_wheel_drive_real cause_fault_M2_speed = all_wheel_drive_select(M2_speed_lost > 0.0, 9.0, 9999.0);
+        &s->M2_speed_bad_time);
     all_wheel_drive_real flange3_torque_sound;
     all_wheel_drive_guard(in->flange3_torque, p->flange3_torque_plausible, s->flange3_torque_held,
         &s->flange3_torque_held, &flange3_torque_sound);
-    all_wheel_drive_real flange3_torque_lost;
     all_wheel_drive_lasting(flange3_torque_sound, s->flange3_torque_bad_time, p->sample_time, p->hold_time,
-        &s->flange3_torque_bad_time, &flange3_torque_lost);
-    const all_wheel_drive_real cause_fault_flange3_torque = all_wheel_drive_select(flange3_torque_lost > 0.0, 10.0,
-        9999.0);
+        &s->flange3_torque_bad_time);
     all_wheel_drive_real M3_speed_sound;
     all_wheel_drive_guard(in->M3_speed, p->M3_speed_plausible, s->M3_speed_held, &s->M3_speed_held,
         &M3_speed_sound);
-    all_wheel_drive_real M3_speed_lost;
     all_wheel_drive_lasting(M3_speed_sound, s->M3_speed_bad_time, p->sample_time, p->hold_time,
-        &s->M3_speed_bad_time, &M3_speed_lost);
-    const all_wheel_drive_real cause_fault_M3_speed = all_wheel_drive_select(M3_speed_lost > 0.0, 11.0, 9999.0);
+        &s->M3_speed_bad_time);
     all_wheel_drive_real flange4_torque_sound;
     all_wheel_drive_guard(in->flange4_torque, p->flange4_torque_plausible, s->flange4_torque_held,
         &s->flange4_torque_held, &flange4_torque_sound);
-    all_wheel_drive_real flange4_torque_lost;
     all_wheel_drive_lasting(flange4_torque_sound, s->flange4_torque_bad_time, p->sample_time, p->hold_time,
-        &s->flange4_torque_bad_time, &flange4_torque_lost);
-    const all_wheel_drive_real cause_fault_flange4_torque = all_wheel_drive_select(flange4_torque_lost > 0.0, 12.0,
-        9999.0);
+        &s->flange4_torque_bad_time);
     all_wheel_drive_real M4_speed_sound;
     all_wheel_drive_guard(in->M4_speed, p->M4_speed_plausible, s->M4_speed_held, &s->M4_speed_held,
         &M4_speed_sound);
-    all_wheel_drive_real M4_speed_lost;
     all_wheel_drive_lasting(M4_speed_sound, s->M4_speed_bad_time, p->sample_time, p->hold_time,
-        &s->M4_speed_bad_time, &M4_speed_lost);
-    const all_wheel_drive_real cause_fault_M4_speed = all_wheel_drive_select(M4_speed_lost > 0.0, 13.0, 9999.0);
+        &s->M4_speed_bad_time);
     all_wheel_drive_real flange5_torque_sound;
     all_wheel_drive_guard(in->flange5_torque, p->flange5_torque_plausible, s->flange5_torque_held,
         &s->flange5_torque_held, &flange5_torque_sound);
-    all_wheel_drive_real flange5_torque_lost;
     all_wheel_drive_lasting(flange5_torque_sound, s->flange5_torque_bad_time, p->sample_time, p->hold_time,
-        &s->flange5_torque_bad_time, &flange5_torque_lost);
-    const all_wheel_drive_real cause_fault_flange5_torque = all_wheel_drive_select(flange5_torque_lost > 0.0, 14.0,
-        9999.0);
+        &s->flange5_torque_bad_time);
     all_wheel_drive_real M5_speed_sound;
     all_wheel_drive_guard(in->M5_speed, p->M5_speed_plausible, s->M5_speed_held, &s->M5_speed_held,
         &M5_speed_sound);
-    all_wheel_drive_real M5_speed_lost;
     all_wheel_drive_lasting(M5_speed_sound, s->M5_speed_bad_time, p->sample_time, p->hold_time,
-        &s->M5_speed_bad_time, &M5_speed_lost);
-    const all_wheel_drive_real cause_fault_M5_speed = all_wheel_drive_select(M5_speed_lost > 0.0, 15.0, 9999.0);
+        &s->M5_speed_bad_time);
     /* overspeed */
     const all_wheel_drive_real M1_slow_enough = all_wheel_drive_select(p->M1_overspeed >=
         all_wheel_drive_abs(s->M1_speed_held), 1.0, 0.0);
-    all_wheel_drive_real M1_too_fast;
     all_wheel_drive_lasting(M1_slow_enough, s->M1_overspeed_time, p->sample_time, p->hold_time,
-        &s->M1_overspeed_time, &M1_too_fast);
-    const all_wheel_drive_real cause_fault_M1_speed_overspeed = all_wheel_drive_select(M1_too_fast > 0.0, 4006.0,
-        9999.0);
+        &s->M1_overspeed_time);
     const all_wheel_drive_real M2_slow_enough = all_wheel_drive_select(p->M2_overspeed >=
         all_wheel_drive_abs(s->M2_speed_held), 1.0, 0.0);
-    all_wheel_drive_real M2_too_fast;
     all_wheel_drive_lasting(M2_slow_enough, s->M2_overspeed_time, p->sample_time, p->hold_time,
-        &s->M2_overspeed_time, &M2_too_fast);
-    const all_wheel_drive_real cause_fault_M2_speed_overspeed = all_wheel_drive_select(M2_too_fast > 0.0, 4009.0,
-        9999.0);
+        &s->M2_overspeed_time);
     const all_wheel_drive_real M3_slow_enough = all_wheel_drive_select(p->M3_overspeed >=
         all_wheel_drive_abs(s->M3_speed_held), 1.0, 0.0);
-    all_wheel_drive_real M3_too_fast;
     all_wheel_drive_lasting(M3_slow_enough, s->M3_overspeed_time, p->sample_time, p->hold_time,
-        &s->M3_overspeed_time, &M3_too_fast);
-    const all_wheel_drive_real cause_fault_M3_speed_overspeed = all_wheel_drive_select(M3_too_fast > 0.0, 4011.0,
-        9999.0);
+        &s->M3_overspeed_time);
     const all_wheel_drive_real M4_slow_enough = all_wheel_drive_select(p->M4_overspeed >=
         all_wheel_drive_abs(s->M4_speed_held), 1.0, 0.0);
-    all_wheel_drive_real M4_too_fast;
     all_wheel_drive_lasting(M4_slow_enough, s->M4_overspeed_time, p->sample_time, p->hold_time,
-        &s->M4_overspeed_time, &M4_too_fast);
-    const all_wheel_drive_real cause_fault_M4_speed_overspeed = all_wheel_drive_select(M4_too_fast > 0.0, 4013.0,
-        9999.0);
+        &s->M4_overspeed_time);
     const all_wheel_drive_real M5_slow_enough = all_wheel_drive_select(p->M5_overspeed >=
         all_wheel_drive_abs(s->M5_speed_held), 1.0, 0.0);
-    all_wheel_drive_real M5_too_fast;
     all_wheel_drive_lasting(M5_slow_enough, s->M5_overspeed_time, p->sample_time, p->hold_time,
-        &s->M5_overspeed_time, &M5_too_fast);
-    const all_wheel_drive_real cause_fault_M5_speed_overspeed = all_wheel_drive_select(M5_too_fast > 0.0, 4015.0,
-        9999.0);
+        &s->M5_overspeed_time);
     /* reset on request, when the cause is gone */
     const all_wheel_drive_real reset_pressed = all_wheel_drive_select(all_wheel_drive_abs(in->reset - 1.0) <= 0.5,
         1.0, 0.0);
-    const all_wheel_drive_real inputs_sound =
-        all_wheel_drive_min(all_wheel_drive_min(all_wheel_drive_min(all_wheel_drive_min(all_wheel_drive_min(M1_slow_enough,
-        M1_speed_sound), all_wheel_drive_min(M2_slow_enough, M2_speed_ref_sound)),
-        all_wheel_drive_min(all_wheel_drive_min(M2_speed_sound, M3_slow_enough),
-        all_wheel_drive_min(M3_speed_ref_sound, M3_speed_sound))),
-        all_wheel_drive_min(all_wheel_drive_min(all_wheel_drive_min(M4_slow_enough, M4_speed_ref_sound),
-        all_wheel_drive_min(M4_speed_sound, M5_slow_enough)),
-        all_wheel_drive_min(all_wheel_drive_min(M5_speed_ref_sound, M5_speed_sound),
-        all_wheel_drive_min(centre_input_torque_ref_sound, flange1_torque_sound)))),
-        all_wheel_drive_min(all_wheel_drive_min(flange2_torque_sound, flange3_torque_sound),
-        all_wheel_drive_min(flange4_torque_sound, flange5_torque_sound)));
-    const all_wheel_drive_real latched = all_wheel_drive_select(s->fault > 0.5, 1.0, 0.0);
-    s->reset_request = inputs_sound * latched * (1.0 - s->refused) * all_wheel_drive_max(s->reset_request,
-        -s->reset_before + reset_pressed);
+    s->reset_request = all_wheel_drive_select(s->fault > 0.5, all_wheel_drive_select(p->M1_overspeed >=
+        all_wheel_drive_abs(s->M1_speed_held) && p->M1_speed_plausible >= all_wheel_drive_abs(in->M1_speed) &&
+        p->M2_overspeed >= all_wheel_drive_abs(s->M2_speed_held) && p->M2_speed_plausible >=
+        all_wheel_drive_abs(in->M2_speed) && p->M2_speed_ref_plausible >= all_wheel_drive_abs(in->M2_speed_ref) &&
+        p->M3_overspeed >= all_wheel_drive_abs(s->M3_speed_held) && p->M3_speed_plausible >=
+        all_wheel_drive_abs(in->M3_speed) && p->M3_speed_ref_plausible >= all_wheel_drive_abs(in->M3_speed_ref) &&
+        p->M4_overspeed >= all_wheel_drive_abs(s->M4_speed_held) && p->M4_speed_plausible >=
+        all_wheel_drive_abs(in->M4_speed) && p->M4_speed_ref_plausible >= all_wheel_drive_abs(in->M4_speed_ref) &&
+        p->M5_overspeed >= all_wheel_drive_abs(s->M5_speed_held) && p->M5_speed_plausible >=
+        all_wheel_drive_abs(in->M5_speed) && p->M5_speed_ref_plausible >= all_wheel_drive_abs(in->M5_speed_ref) &&
+        p->centre_input_torque_ref_plausible >= all_wheel_drive_abs(in->centre_input_torque_ref) &&
+        p->flange1_torque_plausible >= all_wheel_drive_abs(in->flange1_torque) && p->flange2_torque_plausible >=
+        all_wheel_drive_abs(in->flange2_torque) && p->flange3_torque_plausible >=
+        all_wheel_drive_abs(in->flange3_torque) && p->flange4_torque_plausible >=
+        all_wheel_drive_abs(in->flange4_torque) && p->flange5_torque_plausible >=
+        all_wheel_drive_abs(in->flange5_torque), (1.0 - s->refused) * all_wheel_drive_max(s->reset_request,
+        -s->reset_before + reset_pressed), 0.0), 0.0);
     s->reset_before = reset_pressed;
     s->fault = s->fault * (1.0 - all_wheel_drive_select(s->authority <= 0.0, s->reset_request, 0.0));
     s->reset_request = all_wheel_drive_select(s->fault > 0.5, s->reset_request, 0.0);
     /* the first fault is latched */
     const all_wheel_drive_real cause_of_inputs =
-        all_wheel_drive_min(all_wheel_drive_min(all_wheel_drive_min(all_wheel_drive_min(all_wheel_drive_min(cause_fault_M1_speed,
-        cause_fault_M1_speed_overspeed), all_wheel_drive_min(cause_fault_M2_speed, cause_fault_M2_speed_overspeed)),
-        all_wheel_drive_min(all_wheel_drive_min(cause_fault_M2_speed_ref, cause_fault_M3_speed),
-        all_wheel_drive_min(cause_fault_M3_speed_overspeed, cause_fault_M3_speed_ref))),
-        all_wheel_drive_min(all_wheel_drive_min(all_wheel_drive_min(cause_fault_M4_speed,
-        cause_fault_M4_speed_overspeed), all_wheel_drive_min(cause_fault_M4_speed_ref, cause_fault_M5_speed)),
-        all_wheel_drive_min(all_wheel_drive_min(cause_fault_M5_speed_overspeed, cause_fault_M5_speed_ref),
-        all_wheel_drive_min(cause_fault_centre_input_torque_ref, cause_fault_flange1_torque)))),
-        all_wheel_drive_min(all_wheel_drive_min(cause_fault_flange2_torque, cause_fault_flange3_torque),
-        all_wheel_drive_min(cause_fault_flange4_torque, cause_fault_flange5_torque)));
-    s->fault = all_wheel_drive_select(s->fault > 0.5, s->fault, all_wheel_drive_select(cause_of_inputs > 9998.0,
-        0.0, cause_of_inputs));
+        !(s->centre_input_torque_ref_bad_time <= s->bridged_time) ? 1.0 :
+        !(s->M2_speed_ref_bad_time <= s->bridged_time) ? 2.0 :
+        !(s->M3_speed_ref_bad_time <= s->bridged_time) ? 3.0 :
+        !(s->M4_speed_ref_bad_time <= s->bridged_time) ? 4.0 :
+        !(s->M5_speed_ref_bad_time <= s->bridged_time) ? 5.0 :
+        !(s->M1_speed_bad_time <= s->bridged_time) ? 6.0 :
+        !(s->flange1_torque_bad_time <= s->bridged_time) ? 7.0 :
+        !(s->flange2_torque_bad_time <= s->bridged_time) ? 8.0 :
+        !(s->M2_speed_bad_time <= s->bridged_time) ? 9.0 :
+        !(s->flange3_torque_bad_time <= s->bridged_time) ? 10.0 :
+        !(s->M3_speed_bad_time <= s->bridged_time) ? 11.0 :
+        !(s->flange4_torque_bad_time <= s->bridged_time) ? 12.0 :
+        !(s->M4_speed_bad_time <= s->bridged_time) ? 13.0 :
+        !(s->flange5_torque_bad_time <= s->bridged_time) ? 14.0 :
+        !(s->M5_speed_bad_time <= s->bridged_time) ? 15.0 :
+        !(s->M1_overspeed_time <= s->bridged_time) ? 4006.0 :
+        !(s->M2_overspeed_time <= s->bridged_time) ? 4009.0 :
+        !(s->M3_overspeed_time <= s->bridged_time) ? 4011.0 :
+        !(s->M4_overspeed_time <= s->bridged_time) ? 4013.0 :
+        !(s->M5_overspeed_time <= s->bridged_time) ? 4015.0 :
+        0.0;
+    s->fault = all_wheel_drive_select(s->fault > 0.5, s->fault, cause_of_inputs);
+    if (s->running <= 0.5) {
+        /* the first step, and the first one after a fault, starts anew */
+        s->load_compensation_now = p->load_compensation;
+        s->acceleration_torque_now = p->acceleration_torque;
+        s->M1_damping_now = p->M1_damping;
+        s->M1_integrated = s->M1_speed_held;
+        s->M1_speed_still_time = 0.0;
+        s->flange1_torque_still_time = 0.0;
+        s->M2_integrated = s->M2_speed_held;
+        s->M2_speed_still_time = 0.0;
+        s->flange2_torque_still_time = 0.0;
+        s->M3_integrated = s->M3_speed_held;
+        s->M3_speed_still_time = 0.0;
+        s->flange3_torque_still_time = 0.0;
+        s->M4_integrated = s->M4_speed_held;
+        s->M4_speed_still_time = 0.0;
+        s->flange4_torque_still_time = 0.0;
+        s->M5_integrated = s->M5_speed_held;
+        s->M5_speed_still_time = 0.0;
+        s->flange5_torque_still_time = 0.0;
+        s->flange1_torque_mean = s->flange1_torque_held;
+        s->flange1_torque_swings = 0.0;
+        s->flange2_torque_mean = s->flange2_torque_held;
+        s->flange2_torque_swings = 0.0;
+        s->flange3_torque_mean = s->flange3_torque_held;
+        s->flange3_torque_swings = 0.0;
+        s->flange4_torque_mean = s->flange4_torque_held;
+        s->flange4_torque_swings = 0.0;
+        s->flange5_torque_mean = s->flange5_torque_held;
+        s->flange5_torque_swings = 0.0;
+        s->M1_torque_ref_mean = 0.0;
+        s->M1_torque_ref_swings = 0.0;
+        s->M2_torque_ref_mean = 0.0;
+        s->M2_torque_ref_swings = 0.0;
+        s->M3_torque_ref_mean = 0.0;
+        s->M3_torque_ref_swings = 0.0;
+        s->M4_torque_ref_mean = 0.0;
+        s->M4_torque_ref_swings = 0.0;
+        s->M5_torque_ref_mean = 0.0;
+        s->M5_torque_ref_swings = 0.0;
+        s->M2_speed_ref_limited = s->M2_speed_held;
+        s->M3_speed_ref_limited = s->M3_speed_held;
+        s->M4_speed_ref_limited = s->M4_speed_held;
+        s->M5_speed_ref_limited = s->M5_speed_held;
+        s->M2_speed_integral = 0.0;
+        s->M3_speed_integral = 0.0;
+        s->M4_speed_integral = 0.0;
+        s->M5_speed_integral = 0.0;
+        s->M1_model_rate = 0.0;
+        s->M1_torque_integral = 0.0;
+    }
     /* load_compensation follows its parameter along a ramp */
-    const all_wheel_drive_real load_compensation_before = all_wheel_drive_select(s->running > 0.5,
-        s->load_compensation_now, p->load_compensation);
+    const all_wheel_drive_real load_compensation_before = s->load_compensation_now;
     const all_wheel_drive_real load_compensation_distance = p->load_compensation - load_compensation_before;
-    const all_wheel_drive_real load_compensation_moved = all_wheel_drive_select(p->load_compensation !=
-        s->load_compensation_target, all_wheel_drive_max(s->switch_share *
-        all_wheel_drive_abs(load_compensation_distance), 1e-06 * all_wheel_drive_abs(p->load_compensation) + 1e-06 *
-        all_wheel_drive_abs(load_compensation_before)), s->load_compensation_step);
-    s->load_compensation_now = all_wheel_drive_select(load_compensation_distance > load_compensation_moved,
-        load_compensation_before + load_compensation_moved, all_wheel_drive_select(load_compensation_distance <
-        -load_compensation_moved, load_compensation_before - load_compensation_moved, p->load_compensation));
-    s->load_compensation_step = all_wheel_drive_select(load_compensation_moved <
-        all_wheel_drive_abs(load_compensation_distance), load_compensation_moved, 0.0);
+    if (p->load_compensation != s->load_compensation_target) {
+        s->load_compensation_step = all_wheel_drive_max(s->switch_share *
+            all_wheel_drive_abs(load_compensation_distance), 1e-06 * all_wheel_drive_abs(p->load_compensation) + 1e-06 *
+            all_wheel_drive_abs(load_compensation_before));
+    }
+    s->load_compensation_now = all_wheel_drive_select(s->load_compensation_step <
+        all_wheel_drive_abs(load_compensation_distance), load_compensation_before +
+        all_wheel_drive_max(-s->load_compensation_step, all_wheel_drive_min(load_compensation_distance,
+        s->load_compensation_step)), p->load_compensation);
+    s->load_compensation_step = all_wheel_drive_select(s->load_compensation_step <
+        all_wheel_drive_abs(load_compensation_distance), s->load_compensation_step, 0.0);
     s->load_compensation_target = p->load_compensation;
     /* acceleration_torque follows its parameter along a ramp */
-    const all_wheel_drive_real acceleration_torque_before = all_wheel_drive_select(s->running > 0.5,
-        s->acceleration_torque_now, p->acceleration_torque);
+    const all_wheel_drive_real acceleration_torque_before = s->acceleration_torque_now;
     const all_wheel_drive_real acceleration_torque_distance = p->acceleration_torque - acceleration_torque_before;
-    const all_wheel_drive_real acceleration_torque_moved = all_wheel_drive_select(p->acceleration_torque !=
-        s->acceleration_torque_target, all_wheel_drive_max(s->switch_share *
-        all_wheel_drive_abs(acceleration_torque_distance), 1e-06 * all_wheel_drive_abs(p->acceleration_torque) +
-        1e-06 * all_wheel_drive_abs(acceleration_torque_before)), s->acceleration_torque_step);
-    s->acceleration_torque_now = all_wheel_drive_select(acceleration_torque_distance > acceleration_torque_moved,
-        acceleration_torque_before + acceleration_torque_moved, all_wheel_drive_select(acceleration_torque_distance
-        < -acceleration_torque_moved, acceleration_torque_before - acceleration_torque_moved,
-        p->acceleration_torque));
-    s->acceleration_torque_step = all_wheel_drive_select(acceleration_torque_moved <
-        all_wheel_drive_abs(acceleration_torque_distance), acceleration_torque_moved, 0.0);
+    if (p->acceleration_torque != s->acceleration_torque_target) {
+        s->acceleration_torque_step = all_wheel_drive_max(s->switch_share *
+            all_wheel_drive_abs(acceleration_torque_distance), 1e-06 * all_wheel_drive_abs(p->acceleration_torque) +
+            1e-06 * all_wheel_drive_abs(acceleration_torque_before));
+    }
+    s->acceleration_torque_now = all_wheel_drive_select(s->acceleration_torque_step <
+        all_wheel_drive_abs(acceleration_torque_distance), acceleration_torque_before +
+        all_wheel_drive_max(-s->acceleration_torque_step, all_wheel_drive_min(acceleration_torque_distance,
+        s->acceleration_torque_step)), p->acceleration_torque);
+    s->acceleration_torque_step = all_wheel_drive_select(s->acceleration_torque_step <
+        all_wheel_drive_abs(acceleration_torque_distance), s->acceleration_torque_step, 0.0);
     s->acceleration_torque_target = p->acceleration_torque;
     /* M1_damping follows its parameter along a ramp */
-    const all_wheel_drive_real M1_damping_before = all_wheel_drive_select(s->running > 0.5, s->M1_damping_now,
-        p->M1_damping);
+    const all_wheel_drive_real M1_damping_before = s->M1_damping_now;
     const all_wheel_drive_real M1_damping_distance = p->M1_damping - M1_damping_before;
-    const all_wheel_drive_real M1_damping_moved = all_wheel_drive_select(p->M1_damping != s->M1_damping_target,
-        all_wheel_drive_max(s->switch_share * all_wheel_drive_abs(M1_damping_distance), 1e-06 *
-        all_wheel_drive_abs(p->M1_damping) + 1e-06 * all_wheel_drive_abs(M1_damping_before)), s->M1_damping_step);
-    s->M1_damping_now = all_wheel_drive_select(M1_damping_distance > M1_damping_moved, M1_damping_before +
-        M1_damping_moved, all_wheel_drive_select(M1_damping_distance < -M1_damping_moved, M1_damping_before -
-        M1_damping_moved, p->M1_damping));
-    s->M1_damping_step = all_wheel_drive_select(M1_damping_moved < all_wheel_drive_abs(M1_damping_distance),
-        M1_damping_moved, 0.0);
+    if (p->M1_damping != s->M1_damping_target) {
+        s->M1_damping_step = all_wheel_drive_max(s->switch_share * all_wheel_drive_abs(M1_damping_distance), 1e-06 *
+            all_wheel_drive_abs(p->M1_damping) + 1e-06 * all_wheel_drive_abs(M1_damping_before));
+    }
+    s->M1_damping_now = all_wheel_drive_select(s->M1_damping_step < all_wheel_drive_abs(M1_damping_distance),
+        M1_damping_before + all_wheel_drive_max(-s->M1_damping_step, all_wheel_drive_min(M1_damping_distance,
+        s->M1_damping_step)), p->M1_damping);
+    s->M1_damping_step = all_wheel_drive_select(s->M1_damping_step < all_wheel_drive_abs(M1_damping_distance),
+        s->M1_damping_step, 0.0);
     s->M1_damping_target = p->M1_damping;
     /* torque-speed envelope, Figure 7.1 */
-    const all_wheel_drive_real M1_available = p->M1_speed_rated * p->M1_torque_max /
-        all_wheel_drive_max(p->M1_speed_rated, all_wheel_drive_abs(s->M1_speed_held));
+    const all_wheel_drive_real M1_available = s->M1_power / all_wheel_drive_max(p->M1_speed_rated,
+        all_wheel_drive_abs(s->M1_speed_held));
     const all_wheel_drive_real M1_least = -M1_available * all_wheel_drive_max(0.0, all_wheel_drive_min(1.0,
         s->M1_speed_held * s->M1_taper_slope + s->M1_taper_end));
     const all_wheel_drive_real M1_most = M1_available * all_wheel_drive_max(0.0, all_wheel_drive_min(1.0,
         -s->M1_speed_held * s->M1_taper_slope + s->M1_taper_end));
-    const all_wheel_drive_real M2_available = p->M2_speed_rated * p->M2_torque_max /
-        all_wheel_drive_max(p->M2_speed_rated, all_wheel_drive_abs(s->M2_speed_held));
+    const all_wheel_drive_real M2_available = s->M2_power / all_wheel_drive_max(p->M2_speed_rated,
+        all_wheel_drive_abs(s->M2_speed_held));
     const all_wheel_drive_real M2_least = -M2_available * all_wheel_drive_max(0.0, all_wheel_drive_min(1.0,
         s->M2_speed_held * s->M2_taper_slope + s->M2_taper_end));
     const all_wheel_drive_real M2_most = M2_available * all_wheel_drive_max(0.0, all_wheel_drive_min(1.0,
         -s->M2_speed_held * s->M2_taper_slope + s->M2_taper_end));
-    const all_wheel_drive_real M3_available = p->M3_speed_rated * p->M3_torque_max /
-        all_wheel_drive_max(p->M3_speed_rated, all_wheel_drive_abs(s->M3_speed_held));
+    const all_wheel_drive_real M3_available = s->M3_power / all_wheel_drive_max(p->M3_speed_rated,
+        all_wheel_drive_abs(s->M3_speed_held));
     const all_wheel_drive_real M3_least = -M3_available * all_wheel_drive_max(0.0, all_wheel_drive_min(1.0,
         s->M3_speed_held * s->M3_taper_slope + s->M3_taper_end));
     const all_wheel_drive_real M3_most = M3_available * all_wheel_drive_max(0.0, all_wheel_drive_min(1.0,
         -s->M3_speed_held * s->M3_taper_slope + s->M3_taper_end));
-    const all_wheel_drive_real M4_available = p->M4_speed_rated * p->M4_torque_max /
-        all_wheel_drive_max(p->M4_speed_rated, all_wheel_drive_abs(s->M4_speed_held));
+    const all_wheel_drive_real M4_available = s->M4_power / all_wheel_drive_max(p->M4_speed_rated,
+        all_wheel_drive_abs(s->M4_speed_held));
     const all_wheel_drive_real M4_least = -M4_available * all_wheel_drive_max(0.0, all_wheel_drive_min(1.0,
         s->M4_speed_held * s->M4_taper_slope + s->M4_taper_end));
     const all_wheel_drive_real M4_most = M4_available * all_wheel_drive_max(0.0, all_wheel_drive_min(1.0,
         -s->M4_speed_held * s->M4_taper_slope + s->M4_taper_end));
-    const all_wheel_drive_real M5_available = p->M5_speed_rated * p->M5_torque_max /
-        all_wheel_drive_max(p->M5_speed_rated, all_wheel_drive_abs(s->M5_speed_held));
+    const all_wheel_drive_real M5_available = s->M5_power / all_wheel_drive_max(p->M5_speed_rated,
+        all_wheel_drive_abs(s->M5_speed_held));
     const all_wheel_drive_real M5_least = -M5_available * all_wheel_drive_max(0.0, all_wheel_drive_min(1.0,
         s->M5_speed_held * s->M5_taper_slope + s->M5_taper_end));
     const all_wheel_drive_real M5_most = M5_available * all_wheel_drive_max(0.0, all_wheel_drive_min(1.0,
@@ -816,305 +837,210 @@ all_wheel_drive_controller_status all_wheel_drive_controller_step(all_wheel_driv
     const all_wheel_drive_real M4_applied = s->M4_last * s->authority;
     const all_wheel_drive_real M5_applied = s->M5_last * s->authority;
     /* speed from the torques on the rotor */
-    const all_wheel_drive_real M1_integrated_before = all_wheel_drive_select(s->running > 0.5, s->M1_integrated,
-        s->M1_speed_held);
+    const all_wheel_drive_real M1_integrated_before = s->M1_integrated;
     s->M1_integrated = M1_integrated_before + s->M1_per_step * (M1_applied - s->flange1_torque_held) +
         s->disagreement_share * (-M1_integrated_before + s->M1_speed_held);
     const all_wheel_drive_real M1_difference = all_wheel_drive_abs(s->M1_integrated - s->M1_speed_held);
     /* speed against torques */
     const all_wheel_drive_real M1_agrees = all_wheel_drive_select(M1_difference <= p->M1_disagreement_limit, 1.0,
         0.0);
-    all_wheel_drive_real M1_disagrees;
     all_wheel_drive_lasting(M1_agrees, s->M1_disagreement_time, p->sample_time, p->hold_time,
-        &s->M1_disagreement_time, &M1_disagrees);
+        &s->M1_disagreement_time);
     /* M1_speed to the last bit */
-    s->M1_speed_still_time = all_wheel_drive_select(s->running > 0.5, s->M1_speed_still_time, 0.0);
     all_wheel_drive_still(s->M1_speed_held, s->M1_speed_before, s->M1_speed_still_time, p->sample_time,
         &s->M1_speed_still_time);
     s->M1_speed_before = s->M1_speed_held;
-    const all_wheel_drive_real cause_fault_M1_speed_frozen =
-        all_wheel_drive_select(all_wheel_drive_min(M1_difference - p->M1_frozen_limit, s->M1_speed_still_time -
-        p->frozen_time) > 0.0, 3006.0, 9999.0);
-    const all_wheel_drive_real cause_fault_M1_speed_disagreement = all_wheel_drive_select(M1_disagrees > 0.0,
-        5006.0, 9999.0);
     /* flange1_torque to the last bit */
-    s->flange1_torque_still_time = all_wheel_drive_select(s->running > 0.5, s->flange1_torque_still_time, 0.0);
     all_wheel_drive_still(s->flange1_torque_held, s->flange1_torque_before, s->flange1_torque_still_time,
         p->sample_time, &s->flange1_torque_still_time);
     s->flange1_torque_before = s->flange1_torque_held;
     s->flange1_torque_command = all_wheel_drive_select(s->flange1_torque_still_time > 0.0,
         s->flange1_torque_command, M1_applied);
-    const all_wheel_drive_real cause_fault_flange1_torque_frozen =
-        all_wheel_drive_select(all_wheel_drive_min(all_wheel_drive_min(M1_difference - p->M1_frozen_limit,
-        s->flange1_torque_still_time - p->frozen_time), -0.05 * p->M1_torque_max + all_wheel_drive_abs(M1_applied -
-        s->flange1_torque_command)) > 0.0, 3007.0, 9999.0);
     /* speed from the torques on the rotor */
-    const all_wheel_drive_real M2_integrated_before = all_wheel_drive_select(s->running > 0.5, s->M2_integrated,
-        s->M2_speed_held);
+    const all_wheel_drive_real M2_integrated_before = s->M2_integrated;
     s->M2_integrated = M2_integrated_before + s->M2_per_step * (M2_applied + s->flange2_torque_held) +
         s->disagreement_share * (-M2_integrated_before + s->M2_speed_held);
     const all_wheel_drive_real M2_difference = all_wheel_drive_abs(s->M2_integrated - s->M2_speed_held);
     /* speed against torques */
     const all_wheel_drive_real M2_agrees = all_wheel_drive_select(M2_difference <= p->M2_disagreement_limit, 1.0,
         0.0);
-    all_wheel_drive_real M2_disagrees;
     all_wheel_drive_lasting(M2_agrees, s->M2_disagreement_time, p->sample_time, p->hold_time,
-        &s->M2_disagreement_time, &M2_disagrees);
+        &s->M2_disagreement_time);
     /* M2_speed to the last bit */
-    s->M2_speed_still_time = all_wheel_drive_select(s->running > 0.5, s->M2_speed_still_time, 0.0);
     all_wheel_drive_still(s->M2_speed_held, s->M2_speed_before, s->M2_speed_still_time, p->sample_time,
         &s->M2_speed_still_time);
     s->M2_speed_before = s->M2_speed_held;
-    const all_wheel_drive_real cause_fault_M2_speed_frozen =
-        all_wheel_drive_select(all_wheel_drive_min(M2_difference - p->M2_frozen_limit, s->M2_speed_still_time -
-        p->frozen_time) > 0.0, 3009.0, 9999.0);
-    const all_wheel_drive_real cause_fault_M2_speed_disagreement = all_wheel_drive_select(M2_disagrees > 0.0,
-        5009.0, 9999.0);
     /* flange2_torque to the last bit */
-    s->flange2_torque_still_time = all_wheel_drive_select(s->running > 0.5, s->flange2_torque_still_time, 0.0);
     all_wheel_drive_still(s->flange2_torque_held, s->flange2_torque_before, s->flange2_torque_still_time,
         p->sample_time, &s->flange2_torque_still_time);
     s->flange2_torque_before = s->flange2_torque_held;
     s->flange2_torque_command = all_wheel_drive_select(s->flange2_torque_still_time > 0.0,
         s->flange2_torque_command, M2_applied);
-    const all_wheel_drive_real cause_fault_flange2_torque_frozen =
-        all_wheel_drive_select(all_wheel_drive_min(all_wheel_drive_min(M2_difference - p->M2_frozen_limit,
-        s->flange2_torque_still_time - p->frozen_time), -0.05 * p->M2_torque_max + all_wheel_drive_abs(M2_applied -
-        s->flange2_torque_command)) > 0.0, 3008.0, 9999.0);
     /* speed from the torques on the rotor */
-    const all_wheel_drive_real M3_integrated_before = all_wheel_drive_select(s->running > 0.5, s->M3_integrated,
-        s->M3_speed_held);
+    const all_wheel_drive_real M3_integrated_before = s->M3_integrated;
     s->M3_integrated = M3_integrated_before + s->M3_per_step * (M3_applied + s->flange3_torque_held) +
         s->disagreement_share * (-M3_integrated_before + s->M3_speed_held);
     const all_wheel_drive_real M3_difference = all_wheel_drive_abs(s->M3_integrated - s->M3_speed_held);
     /* speed against torques */
     const all_wheel_drive_real M3_agrees = all_wheel_drive_select(M3_difference <= p->M3_disagreement_limit, 1.0,
         0.0);
-    all_wheel_drive_real M3_disagrees;
     all_wheel_drive_lasting(M3_agrees, s->M3_disagreement_time, p->sample_time, p->hold_time,
-        &s->M3_disagreement_time, &M3_disagrees);
+        &s->M3_disagreement_time);
     /* M3_speed to the last bit */
-    s->M3_speed_still_time = all_wheel_drive_select(s->running > 0.5, s->M3_speed_still_time, 0.0);
     all_wheel_drive_still(s->M3_speed_held, s->M3_speed_before, s->M3_speed_still_time, p->sample_time,
         &s->M3_speed_still_time);
     s->M3_speed_before = s->M3_speed_held;
-    const all_wheel_drive_real cause_fault_M3_speed_frozen =
-        all_wheel_drive_select(all_wheel_drive_min(M3_difference - p->M3_frozen_limit, s->M3_speed_still_time -
-        p->frozen_time) > 0.0, 3011.0, 9999.0);
-    const all_wheel_drive_real cause_fault_M3_speed_disagreement = all_wheel_drive_select(M3_disagrees > 0.0,
-        5011.0, 9999.0);
     /* flange3_torque to the last bit */
-    s->flange3_torque_still_time = all_wheel_drive_select(s->running > 0.5, s->flange3_torque_still_time, 0.0);
     all_wheel_drive_still(s->flange3_torque_held, s->flange3_torque_before, s->flange3_torque_still_time,
         p->sample_time, &s->flange3_torque_still_time);
     s->flange3_torque_before = s->flange3_torque_held;
     s->flange3_torque_command = all_wheel_drive_select(s->flange3_torque_still_time > 0.0,
         s->flange3_torque_command, M3_applied);
-    const all_wheel_drive_real cause_fault_flange3_torque_frozen =
-        all_wheel_drive_select(all_wheel_drive_min(all_wheel_drive_min(M3_difference - p->M3_frozen_limit,
-        s->flange3_torque_still_time - p->frozen_time), -0.05 * p->M3_torque_max + all_wheel_drive_abs(M3_applied -
-        s->flange3_torque_command)) > 0.0, 3010.0, 9999.0);
     /* speed from the torques on the rotor */
-    const all_wheel_drive_real M4_integrated_before = all_wheel_drive_select(s->running > 0.5, s->M4_integrated,
-        s->M4_speed_held);
+    const all_wheel_drive_real M4_integrated_before = s->M4_integrated;
     s->M4_integrated = M4_integrated_before + s->M4_per_step * (M4_applied + s->flange4_torque_held) +
         s->disagreement_share * (-M4_integrated_before + s->M4_speed_held);
     const all_wheel_drive_real M4_difference = all_wheel_drive_abs(s->M4_integrated - s->M4_speed_held);
     /* speed against torques */
     const all_wheel_drive_real M4_agrees = all_wheel_drive_select(M4_difference <= p->M4_disagreement_limit, 1.0,
         0.0);
-    all_wheel_drive_real M4_disagrees;
     all_wheel_drive_lasting(M4_agrees, s->M4_disagreement_time, p->sample_time, p->hold_time,
-        &s->M4_disagreement_time, &M4_disagrees);
+        &s->M4_disagreement_time);
     /* M4_speed to the last bit */
-    s->M4_speed_still_time = all_wheel_drive_select(s->running > 0.5, s->M4_speed_still_time, 0.0);
     all_wheel_drive_still(s->M4_speed_held, s->M4_speed_before, s->M4_speed_still_time, p->sample_time,
         &s->M4_speed_still_time);
     s->M4_speed_before = s->M4_speed_held;
-    const all_wheel_drive_real cause_fault_M4_speed_frozen =
-        all_wheel_drive_select(all_wheel_drive_min(M4_difference - p->M4_frozen_limit, s->M4_speed_still_time -
-        p->frozen_time) > 0.0, 3013.0, 9999.0);
-    const all_wheel_drive_real cause_fault_M4_speed_disagreement = all_wheel_drive_select(M4_disagrees > 0.0,
-        5013.0, 9999.0);
     /* flange4_torque to the last bit */
-    s->flange4_torque_still_time = all_wheel_drive_select(s->running > 0.5, s->flange4_torque_still_time, 0.0);
     all_wheel_drive_still(s->flange4_torque_held, s->flange4_torque_before, s->flange4_torque_still_time,
         p->sample_time, &s->flange4_torque_still_time);
     s->flange4_torque_before = s->flange4_torque_held;
     s->flange4_torque_command = all_wheel_drive_select(s->flange4_torque_still_time > 0.0,
         s->flange4_torque_command, M4_applied);
-    const all_wheel_drive_real cause_fault_flange4_torque_frozen =
-        all_wheel_drive_select(all_wheel_drive_min(all_wheel_drive_min(M4_difference - p->M4_frozen_limit,
-        s->flange4_torque_still_time - p->frozen_time), -0.05 * p->M4_torque_max + all_wheel_drive_abs(M4_applied -
-        s->flange4_torque_command)) > 0.0, 3012.0, 9999.0);
     /* speed from the torques on the rotor */
-    const all_wheel_drive_real M5_integrated_before = all_wheel_drive_select(s->running > 0.5, s->M5_integrated,
-        s->M5_speed_held);
+    const all_wheel_drive_real M5_integrated_before = s->M5_integrated;
     s->M5_integrated = M5_integrated_before + s->M5_per_step * (M5_applied + s->flange5_torque_held) +
         s->disagreement_share * (-M5_integrated_before + s->M5_speed_held);
     const all_wheel_drive_real M5_difference = all_wheel_drive_abs(s->M5_integrated - s->M5_speed_held);
     /* speed against torques */
     const all_wheel_drive_real M5_agrees = all_wheel_drive_select(M5_difference <= p->M5_disagreement_limit, 1.0,
         0.0);
-    all_wheel_drive_real M5_disagrees;
     all_wheel_drive_lasting(M5_agrees, s->M5_disagreement_time, p->sample_time, p->hold_time,
-        &s->M5_disagreement_time, &M5_disagrees);
+        &s->M5_disagreement_time);
     /* M5_speed to the last bit */
-    s->M5_speed_still_time = all_wheel_drive_select(s->running > 0.5, s->M5_speed_still_time, 0.0);
     all_wheel_drive_still(s->M5_speed_held, s->M5_speed_before, s->M5_speed_still_time, p->sample_time,
         &s->M5_speed_still_time);
     s->M5_speed_before = s->M5_speed_held;
-    const all_wheel_drive_real cause_fault_M5_speed_frozen =
-        all_wheel_drive_select(all_wheel_drive_min(M5_difference - p->M5_frozen_limit, s->M5_speed_still_time -
-        p->frozen_time) > 0.0, 3015.0, 9999.0);
-    const all_wheel_drive_real cause_fault_M5_speed_disagreement = all_wheel_drive_select(M5_disagrees > 0.0,
-        5015.0, 9999.0);
     /* flange5_torque to the last bit */
-    s->flange5_torque_still_time = all_wheel_drive_select(s->running > 0.5, s->flange5_torque_still_time, 0.0);
     all_wheel_drive_still(s->flange5_torque_held, s->flange5_torque_before, s->flange5_torque_still_time,
         p->sample_time, &s->flange5_torque_still_time);
     s->flange5_torque_before = s->flange5_torque_held;
     s->flange5_torque_command = all_wheel_drive_select(s->flange5_torque_still_time > 0.0,
         s->flange5_torque_command, M5_applied);
-    const all_wheel_drive_real cause_fault_flange5_torque_frozen =
-        all_wheel_drive_select(all_wheel_drive_min(all_wheel_drive_min(M5_difference - p->M5_frozen_limit,
-        s->flange5_torque_still_time - p->frozen_time), -0.05 * p->M5_torque_max + all_wheel_drive_abs(M5_applied -
-        s->flange5_torque_command)) > 0.0, 3014.0, 9999.0);
     /* oscillation of flange1_torque */
-    const all_wheel_drive_real flange1_torque_mean_before = all_wheel_drive_select(s->running > 0.5,
-        s->flange1_torque_mean, s->flange1_torque_held);
+    const all_wheel_drive_real flange1_torque_mean_before = s->flange1_torque_mean;
     const all_wheel_drive_real flange1_torque_swing = s->flange1_torque_held - flange1_torque_mean_before;
     s->flange1_torque_mean = flange1_torque_mean_before + flange1_torque_swing * s->mean_share;
-    s->flange1_torque_swings = all_wheel_drive_select(s->running > 0.5, s->flange1_torque_swings, 0.0);
     all_wheel_drive_swings(flange1_torque_swing, p->flange1_torque_oscillation_limit, s->flange1_torque_side,
         s->flange1_torque_swings, s->forgotten_swings, &s->flange1_torque_side, &s->flange1_torque_swings);
-    const all_wheel_drive_real cause_fault_flange1_torque_oscillation =
-        all_wheel_drive_select(s->flange1_torque_swings - 5.5 > 0.0, 6007.0, 9999.0);
     /* oscillation of flange2_torque */
-    const all_wheel_drive_real flange2_torque_mean_before = all_wheel_drive_select(s->running > 0.5,
-        s->flange2_torque_mean, s->flange2_torque_held);
+    const all_wheel_drive_real flange2_torque_mean_before = s->flange2_torque_mean;
     const all_wheel_drive_real flange2_torque_swing = s->flange2_torque_held - flange2_torque_mean_before;
     s->flange2_torque_mean = flange2_torque_mean_before + flange2_torque_swing * s->mean_share;
-    s->flange2_torque_swings = all_wheel_drive_select(s->running > 0.5, s->flange2_torque_swings, 0.0);
     all_wheel_drive_swings(flange2_torque_swing, p->flange2_torque_oscillation_limit, s->flange2_torque_side,
         s->flange2_torque_swings, s->forgotten_swings, &s->flange2_torque_side, &s->flange2_torque_swings);
-    const all_wheel_drive_real cause_fault_flange2_torque_oscillation =
-        all_wheel_drive_select(s->flange2_torque_swings - 5.5 > 0.0, 6008.0, 9999.0);
     /* oscillation of flange3_torque */
-    const all_wheel_drive_real flange3_torque_mean_before = all_wheel_drive_select(s->running > 0.5,
-        s->flange3_torque_mean, s->flange3_torque_held);
+    const all_wheel_drive_real flange3_torque_mean_before = s->flange3_torque_mean;
     const all_wheel_drive_real flange3_torque_swing = s->flange3_torque_held - flange3_torque_mean_before;
     s->flange3_torque_mean = flange3_torque_mean_before + flange3_torque_swing * s->mean_share;
-    s->flange3_torque_swings = all_wheel_drive_select(s->running > 0.5, s->flange3_torque_swings, 0.0);
     all_wheel_drive_swings(flange3_torque_swing, p->flange3_torque_oscillation_limit, s->flange3_torque_side,
         s->flange3_torque_swings, s->forgotten_swings, &s->flange3_torque_side, &s->flange3_torque_swings);
-    const all_wheel_drive_real cause_fault_flange3_torque_oscillation =
-        all_wheel_drive_select(s->flange3_torque_swings - 5.5 > 0.0, 6010.0, 9999.0);
     /* oscillation of flange4_torque */
-    const all_wheel_drive_real flange4_torque_mean_before = all_wheel_drive_select(s->running > 0.5,
-        s->flange4_torque_mean, s->flange4_torque_held);
+    const all_wheel_drive_real flange4_torque_mean_before = s->flange4_torque_mean;
     const all_wheel_drive_real flange4_torque_swing = s->flange4_torque_held - flange4_torque_mean_before;
     s->flange4_torque_mean = flange4_torque_mean_before + flange4_torque_swing * s->mean_share;
-    s->flange4_torque_swings = all_wheel_drive_select(s->running > 0.5, s->flange4_torque_swings, 0.0);
     all_wheel_drive_swings(flange4_torque_swing, p->flange4_torque_oscillation_limit, s->flange4_torque_side,
         s->flange4_torque_swings, s->forgotten_swings, &s->flange4_torque_side, &s->flange4_torque_swings);
-    const all_wheel_drive_real cause_fault_flange4_torque_oscillation =
-        all_wheel_drive_select(s->flange4_torque_swings - 5.5 > 0.0, 6012.0, 9999.0);
     /* oscillation of flange5_torque */
-    const all_wheel_drive_real flange5_torque_mean_before = all_wheel_drive_select(s->running > 0.5,
-        s->flange5_torque_mean, s->flange5_torque_held);
+    const all_wheel_drive_real flange5_torque_mean_before = s->flange5_torque_mean;
     const all_wheel_drive_real flange5_torque_swing = s->flange5_torque_held - flange5_torque_mean_before;
     s->flange5_torque_mean = flange5_torque_mean_before + flange5_torque_swing * s->mean_share;
-    s->flange5_torque_swings = all_wheel_drive_select(s->running > 0.5, s->flange5_torque_swings, 0.0);
     all_wheel_drive_swings(flange5_torque_swing, p->flange5_torque_oscillation_limit, s->flange5_torque_side,
         s->flange5_torque_swings, s->forgotten_swings, &s->flange5_torque_side, &s->flange5_torque_swings);
-    const all_wheel_drive_real cause_fault_flange5_torque_oscillation =
-        all_wheel_drive_select(s->flange5_torque_swings - 5.5 > 0.0, 6014.0, 9999.0);
     /* oscillation of M1_torque_ref */
-    const all_wheel_drive_real M1_torque_ref_mean_before = all_wheel_drive_select(s->running > 0.5,
-        s->M1_torque_ref_mean, 0.0);
+    const all_wheel_drive_real M1_torque_ref_mean_before = s->M1_torque_ref_mean;
     const all_wheel_drive_real M1_torque_ref_swing = M1_applied - M1_torque_ref_mean_before;
     s->M1_torque_ref_mean = M1_torque_ref_mean_before + M1_torque_ref_swing * s->mean_share;
-    s->M1_torque_ref_swings = all_wheel_drive_select(s->running > 0.5, s->M1_torque_ref_swings, 0.0);
     all_wheel_drive_swings(M1_torque_ref_swing, p->M1_torque_ref_oscillation_limit, s->M1_torque_ref_side,
         s->M1_torque_ref_swings, s->forgotten_swings, &s->M1_torque_ref_side, &s->M1_torque_ref_swings);
-    const all_wheel_drive_real cause_fault_M1_torque_ref_oscillation =
-        all_wheel_drive_select(s->M1_torque_ref_swings - 5.5 > 0.0, 8001.0, 9999.0);
     /* oscillation of M2_torque_ref */
-    const all_wheel_drive_real M2_torque_ref_mean_before = all_wheel_drive_select(s->running > 0.5,
-        s->M2_torque_ref_mean, 0.0);
+    const all_wheel_drive_real M2_torque_ref_mean_before = s->M2_torque_ref_mean;
     const all_wheel_drive_real M2_torque_ref_swing = M2_applied - M2_torque_ref_mean_before;
     s->M2_torque_ref_mean = M2_torque_ref_mean_before + M2_torque_ref_swing * s->mean_share;
-    s->M2_torque_ref_swings = all_wheel_drive_select(s->running > 0.5, s->M2_torque_ref_swings, 0.0);
     all_wheel_drive_swings(M2_torque_ref_swing, p->M2_torque_ref_oscillation_limit, s->M2_torque_ref_side,
         s->M2_torque_ref_swings, s->forgotten_swings, &s->M2_torque_ref_side, &s->M2_torque_ref_swings);
-    const all_wheel_drive_real cause_fault_M2_torque_ref_oscillation =
-        all_wheel_drive_select(s->M2_torque_ref_swings - 5.5 > 0.0, 8002.0, 9999.0);
     /* oscillation of M3_torque_ref */
-    const all_wheel_drive_real M3_torque_ref_mean_before = all_wheel_drive_select(s->running > 0.5,
-        s->M3_torque_ref_mean, 0.0);
+    const all_wheel_drive_real M3_torque_ref_mean_before = s->M3_torque_ref_mean;
     const all_wheel_drive_real M3_torque_ref_swing = M3_applied - M3_torque_ref_mean_before;
     s->M3_torque_ref_mean = M3_torque_ref_mean_before + M3_torque_ref_swing * s->mean_share;
-    s->M3_torque_ref_swings = all_wheel_drive_select(s->running > 0.5, s->M3_torque_ref_swings, 0.0);
     all_wheel_drive_swings(M3_torque_ref_swing, p->M3_torque_ref_oscillation_limit, s->M3_torque_ref_side,
         s->M3_torque_ref_swings, s->forgotten_swings, &s->M3_torque_ref_side, &s->M3_torque_ref_swings);
-    const all_wheel_drive_real cause_fault_M3_torque_ref_oscillation =
-        all_wheel_drive_select(s->M3_torque_ref_swings - 5.5 > 0.0, 8003.0, 9999.0);
     /* oscillation of M4_torque_ref */
-    const all_wheel_drive_real M4_torque_ref_mean_before = all_wheel_drive_select(s->running > 0.5,
-        s->M4_torque_ref_mean, 0.0);
+    const all_wheel_drive_real M4_torque_ref_mean_before = s->M4_torque_ref_mean;
     const all_wheel_drive_real M4_torque_ref_swing = M4_applied - M4_torque_ref_mean_before;
     s->M4_torque_ref_mean = M4_torque_ref_mean_before + M4_torque_ref_swing * s->mean_share;
-    s->M4_torque_ref_swings = all_wheel_drive_select(s->running > 0.5, s->M4_torque_ref_swings, 0.0);
     all_wheel_drive_swings(M4_torque_ref_swing, p->M4_torque_ref_oscillation_limit, s->M4_torque_ref_side,
         s->M4_torque_ref_swings, s->forgotten_swings, &s->M4_torque_ref_side, &s->M4_torque_ref_swings);
-    const all_wheel_drive_real cause_fault_M4_torque_ref_oscillation =
-        all_wheel_drive_select(s->M4_torque_ref_swings - 5.5 > 0.0, 8004.0, 9999.0);
     /* oscillation of M5_torque_ref */
-    const all_wheel_drive_real M5_torque_ref_mean_before = all_wheel_drive_select(s->running > 0.5,
-        s->M5_torque_ref_mean, 0.0);
+    const all_wheel_drive_real M5_torque_ref_mean_before = s->M5_torque_ref_mean;
     const all_wheel_drive_real M5_torque_ref_swing = M5_applied - M5_torque_ref_mean_before;
     s->M5_torque_ref_mean = M5_torque_ref_mean_before + M5_torque_ref_swing * s->mean_share;
-    s->M5_torque_ref_swings = all_wheel_drive_select(s->running > 0.5, s->M5_torque_ref_swings, 0.0);
     all_wheel_drive_swings(M5_torque_ref_swing, p->M5_torque_ref_oscillation_limit, s->M5_torque_ref_side,
         s->M5_torque_ref_swings, s->forgotten_swings, &s->M5_torque_ref_side, &s->M5_torque_ref_swings);
-    const all_wheel_drive_real cause_fault_M5_torque_ref_oscillation =
-        all_wheel_drive_select(s->M5_torque_ref_swings - 5.5 > 0.0, 8005.0, 9999.0);
     /* the first fault is latched */
     const all_wheel_drive_real cause_of_watching =
-        all_wheel_drive_min(all_wheel_drive_min(all_wheel_drive_min(all_wheel_drive_min(all_wheel_drive_min(cause_fault_M1_speed_disagreement,
-        cause_fault_M1_speed_frozen), all_wheel_drive_min(cause_fault_M1_torque_ref_oscillation,
-        cause_fault_M2_speed_disagreement)), all_wheel_drive_min(all_wheel_drive_min(cause_fault_M2_speed_frozen,
-        cause_fault_M2_torque_ref_oscillation), all_wheel_drive_min(cause_fault_M3_speed_disagreement,
-        cause_fault_M3_speed_frozen))),
-        all_wheel_drive_min(all_wheel_drive_min(all_wheel_drive_min(cause_fault_M3_torque_ref_oscillation,
-        cause_fault_M4_speed_disagreement), all_wheel_drive_min(cause_fault_M4_speed_frozen,
-        cause_fault_M4_torque_ref_oscillation)),
-        all_wheel_drive_min(all_wheel_drive_min(cause_fault_M5_speed_disagreement, cause_fault_M5_speed_frozen),
-        all_wheel_drive_min(cause_fault_M5_torque_ref_oscillation, cause_fault_flange1_torque_frozen)))),
-        all_wheel_drive_min(all_wheel_drive_min(all_wheel_drive_min(all_wheel_drive_min(cause_fault_flange1_torque_oscillation,
-        cause_fault_flange2_torque_frozen), all_wheel_drive_min(cause_fault_flange2_torque_oscillation,
-        cause_fault_flange3_torque_frozen)),
-        all_wheel_drive_min(all_wheel_drive_min(cause_fault_flange3_torque_oscillation,
-        cause_fault_flange4_torque_frozen), all_wheel_drive_min(cause_fault_flange4_torque_oscillation,
-        cause_fault_flange5_torque_frozen))), cause_fault_flange5_torque_oscillation));
-    s->fault = all_wheel_drive_select(s->fault > 0.5, s->fault, all_wheel_drive_select(cause_of_watching > 9998.0,
-        0.0, cause_of_watching));
+        !(M1_difference <= p->M1_frozen_limit || s->M1_speed_still_time <= p->frozen_time) ? 3006.0 :
+        !(M1_difference <= p->M1_frozen_limit || s->flange1_torque_still_time <= p->frozen_time ||
+        all_wheel_drive_abs(M1_applied - s->flange1_torque_command) <= s->M1_moved_torque) ? 3007.0 :
+        !(M2_difference <= p->M2_frozen_limit || s->flange2_torque_still_time <= p->frozen_time ||
+        all_wheel_drive_abs(M2_applied - s->flange2_torque_command) <= s->M2_moved_torque) ? 3008.0 :
+        !(M2_difference <= p->M2_frozen_limit || s->M2_speed_still_time <= p->frozen_time) ? 3009.0 :
+        !(M3_difference <= p->M3_frozen_limit || s->flange3_torque_still_time <= p->frozen_time ||
+        all_wheel_drive_abs(M3_applied - s->flange3_torque_command) <= s->M3_moved_torque) ? 3010.0 :
+        !(M3_difference <= p->M3_frozen_limit || s->M3_speed_still_time <= p->frozen_time) ? 3011.0 :
+        !(M4_difference <= p->M4_frozen_limit || s->flange4_torque_still_time <= p->frozen_time ||
+        all_wheel_drive_abs(M4_applied - s->flange4_torque_command) <= s->M4_moved_torque) ? 3012.0 :
+        !(M4_difference <= p->M4_frozen_limit || s->M4_speed_still_time <= p->frozen_time) ? 3013.0 :
+        !(M5_difference <= p->M5_frozen_limit || s->flange5_torque_still_time <= p->frozen_time ||
+        all_wheel_drive_abs(M5_applied - s->flange5_torque_command) <= s->M5_moved_torque) ? 3014.0 :
+        !(M5_difference <= p->M5_frozen_limit || s->M5_speed_still_time <= p->frozen_time) ? 3015.0 :
+        !(s->M1_disagreement_time <= s->bridged_time) ? 5006.0 :
+        !(s->M2_disagreement_time <= s->bridged_time) ? 5009.0 :
+        !(s->M3_disagreement_time <= s->bridged_time) ? 5011.0 :
+        !(s->M4_disagreement_time <= s->bridged_time) ? 5013.0 :
+        !(s->M5_disagreement_time <= s->bridged_time) ? 5015.0 :
+        !(s->flange1_torque_swings <= 5.5) ? 6007.0 :
+        !(s->flange2_torque_swings <= 5.5) ? 6008.0 :
+        !(s->flange3_torque_swings <= 5.5) ? 6010.0 :
+        !(s->flange4_torque_swings <= 5.5) ? 6012.0 :
+        !(s->flange5_torque_swings <= 5.5) ? 6014.0 :
+        !(s->M1_torque_ref_swings <= 5.5) ? 8001.0 :
+        !(s->M2_torque_ref_swings <= 5.5) ? 8002.0 :
+        !(s->M3_torque_ref_swings <= 5.5) ? 8003.0 :
+        !(s->M4_torque_ref_swings <= 5.5) ? 8004.0 :
+        !(s->M5_torque_ref_swings <= 5.5) ? 8005.0 :
+        0.0;
+    s->fault = all_wheel_drive_select(s->fault > 0.5, s->fault, cause_of_watching);
     /* limit of the rate */
-    const all_wheel_drive_real M2_speed_ref_before = all_wheel_drive_select(s->running > 0.5,
-        s->M2_speed_ref_limited, s->M2_speed_held);
+    const all_wheel_drive_real M2_speed_ref_before = s->M2_speed_ref_limited;
     s->M2_speed_ref_limited = M2_speed_ref_before + all_wheel_drive_max(-s->M2_speed_ref_step,
         all_wheel_drive_min(s->M2_speed_ref_step, -M2_speed_ref_before + s->M2_speed_ref_held));
-    const all_wheel_drive_real M3_speed_ref_before = all_wheel_drive_select(s->running > 0.5,
-        s->M3_speed_ref_limited, s->M3_speed_held);
+    const all_wheel_drive_real M3_speed_ref_before = s->M3_speed_ref_limited;
     s->M3_speed_ref_limited = M3_speed_ref_before + all_wheel_drive_max(-s->M3_speed_ref_step,
         all_wheel_drive_min(s->M3_speed_ref_step, -M3_speed_ref_before + s->M3_speed_ref_held));
-    const all_wheel_drive_real M4_speed_ref_before = all_wheel_drive_select(s->running > 0.5,
-        s->M4_speed_ref_limited, s->M4_speed_held);
+    const all_wheel_drive_real M4_speed_ref_before = s->M4_speed_ref_limited;
     s->M4_speed_ref_limited = M4_speed_ref_before + all_wheel_drive_max(-s->M4_speed_ref_step,
         all_wheel_drive_min(s->M4_speed_ref_step, -M4_speed_ref_before + s->M4_speed_ref_held));
-    const all_wheel_drive_real M5_speed_ref_before = all_wheel_drive_select(s->running > 0.5,
-        s->M5_speed_ref_limited, s->M5_speed_held);
+    const all_wheel_drive_real M5_speed_ref_before = s->M5_speed_ref_limited;
     s->M5_speed_ref_limited = M5_speed_ref_before + all_wheel_drive_max(-s->M5_speed_ref_step,
         all_wheel_drive_min(s->M5_speed_ref_step, -M5_speed_ref_before + s->M5_speed_ref_held));
     const all_wheel_drive_real M2_speed_error = -s->M2_speed_held + s->M2_speed_ref_limited;
@@ -1124,8 +1050,8 @@ all_wheel_drive_controller_status all_wheel_drive_controller_step(all_wheel_driv
     const all_wheel_drive_real M2_given_away = M2_compensation * (load_compensation_before -
         s->load_compensation_now);
     /* PI speed control (5.84) */
-    const all_wheel_drive_real M2_integral_before = all_wheel_drive_select(p->M2_speed_integral_gain > 0.0,
-        M2_given_away, 0.0) + all_wheel_drive_select(s->running > 0.5, s->M2_speed_integral, 0.0);
+    const all_wheel_drive_real M2_integral_before = s->M2_speed_integral +
+        all_wheel_drive_select(p->M2_speed_integral_gain > 0.0, M2_given_away, 0.0);
     const all_wheel_drive_real M2_asked = M2_integral_before + M2_speed_error * p->M2_speed_gain;
     const all_wheel_drive_real M2_wanted = M2_asked + M2_compensation * s->load_compensation_now;
     /* torque-speed envelope */
@@ -1144,8 +1070,8 @@ all_wheel_drive_controller_status all_wheel_drive_controller_step(all_wheel_driv
     const all_wheel_drive_real M3_given_away = M3_compensation * (load_compensation_before -
         s->load_compensation_now);
     /* PI speed control (5.84) */
-    const all_wheel_drive_real M3_integral_before = all_wheel_drive_select(p->M3_speed_integral_gain > 0.0,
-        M3_given_away, 0.0) + all_wheel_drive_select(s->running > 0.5, s->M3_speed_integral, 0.0);
+    const all_wheel_drive_real M3_integral_before = s->M3_speed_integral +
+        all_wheel_drive_select(p->M3_speed_integral_gain > 0.0, M3_given_away, 0.0);
     const all_wheel_drive_real M3_asked = M3_integral_before + M3_speed_error * p->M3_speed_gain;
     const all_wheel_drive_real M3_wanted = M3_asked + M3_compensation * s->load_compensation_now;
     /* torque-speed envelope */
@@ -1164,8 +1090,8 @@ all_wheel_drive_controller_status all_wheel_drive_controller_step(all_wheel_driv
     const all_wheel_drive_real M4_given_away = M4_compensation * (load_compensation_before -
         s->load_compensation_now);
     /* PI speed control (5.84) */
-    const all_wheel_drive_real M4_integral_before = all_wheel_drive_select(p->M4_speed_integral_gain > 0.0,
-        M4_given_away, 0.0) + all_wheel_drive_select(s->running > 0.5, s->M4_speed_integral, 0.0);
+    const all_wheel_drive_real M4_integral_before = s->M4_speed_integral +
+        all_wheel_drive_select(p->M4_speed_integral_gain > 0.0, M4_given_away, 0.0);
     const all_wheel_drive_real M4_asked = M4_integral_before + M4_speed_error * p->M4_speed_gain;
     const all_wheel_drive_real M4_wanted = M4_asked + M4_compensation * s->load_compensation_now;
     /* torque-speed envelope */
@@ -1184,8 +1110,8 @@ all_wheel_drive_controller_status all_wheel_drive_controller_step(all_wheel_driv
     const all_wheel_drive_real M5_given_away = M5_compensation * (load_compensation_before -
         s->load_compensation_now);
     /* PI speed control (5.84) */
-    const all_wheel_drive_real M5_integral_before = all_wheel_drive_select(p->M5_speed_integral_gain > 0.0,
-        M5_given_away, 0.0) + all_wheel_drive_select(s->running > 0.5, s->M5_speed_integral, 0.0);
+    const all_wheel_drive_real M5_integral_before = s->M5_speed_integral +
+        all_wheel_drive_select(p->M5_speed_integral_gain > 0.0, M5_given_away, 0.0);
     const all_wheel_drive_real M5_asked = M5_integral_before + M5_speed_error * p->M5_speed_gain;
     const all_wheel_drive_real M5_wanted = M5_asked + M5_compensation * s->load_compensation_now;
     /* torque-speed envelope */
@@ -1200,24 +1126,29 @@ all_wheel_drive_controller_status all_wheel_drive_controller_step(all_wheel_driv
     /* testing torque from the sensors (5.95), (5.96), (5.98) */
     const all_wheel_drive_real centre_input_torque_estimate = s->M1_unread_M2 * M2_net + s->M1_unread_M3 * M3_net +
         s->M1_unread_M4 * M4_net + s->M1_unread_M5 * M5_net + s->flange1_torque_held;
+    if (s->running <= 0.5) {
+        /* the first step, and the first one after a fault, starts anew */
+        s->centre_input_torque_ref_limited = centre_input_torque_estimate;
+    }
     /* limit of the rate */
-    const all_wheel_drive_real centre_input_torque_ref_before = all_wheel_drive_select(s->running > 0.5,
-        s->centre_input_torque_ref_limited, centre_input_torque_estimate);
+    const all_wheel_drive_real centre_input_torque_ref_before = s->centre_input_torque_ref_limited;
     s->centre_input_torque_ref_limited = centre_input_torque_ref_before +
         all_wheel_drive_max(-s->centre_input_torque_ref_step, all_wheel_drive_min(s->centre_input_torque_ref_step,
         -centre_input_torque_ref_before + s->centre_input_torque_ref_held));
+    if (s->running <= 0.5) {
+        /* the first step, and the first one after a fault, starts anew */
+        s->M1_model_torque = centre_input_torque_estimate;
+    }
     /* torque model (5.57), (5.76) */
-    const all_wheel_drive_real M1_model_before = all_wheel_drive_select(s->running > 0.5, s->M1_model_torque,
-        centre_input_torque_estimate);
-    const all_wheel_drive_real M1_rate_before = all_wheel_drive_select(s->running > 0.5, s->M1_model_rate, 0.0);
+    const all_wheel_drive_real M1_model_before = s->M1_model_torque;
+    const all_wheel_drive_real M1_rate_before = s->M1_model_rate;
     s->M1_model_rate = -s->M1_model_drag * M1_rate_before + s->M1_model_pull * (-M1_model_before +
         s->centre_input_torque_ref_limited) + M1_rate_before;
     s->M1_model_torque = M1_model_before + s->M1_model_rate * p->sample_time;
     const all_wheel_drive_real M1_torque_error = s->M1_model_torque * p->M1_torque_model -
         centre_input_torque_estimate + s->centre_input_torque_ref_limited * (1.0 - p->M1_torque_model);
     /* torque control (5.99) */
-    const all_wheel_drive_real M1_integral_before = all_wheel_drive_select(s->running > 0.5, s->M1_torque_integral,
-        0.0);
+    const all_wheel_drive_real M1_integral_before = s->M1_torque_integral;
     const all_wheel_drive_real M1_virtual = p->M1_feedforward * s->centre_input_torque_ref_limited +
         M1_integral_before + M1_torque_error * p->M1_torque_gain;
     /* active damping (5.62), (5.78) */
@@ -1243,75 +1174,71 @@ all_wheel_drive_controller_status all_wheel_drive_controller_step(all_wheel_driv
     all_wheel_drive_real M1_released;
     all_wheel_drive_real M1_released_sound;
     all_wheel_drive_guard(M1_command, s->M1_largest, s->M1_last, &M1_released, &M1_released_sound);
-    const all_wheel_drive_real cause_fault_M1_torque_ref = all_wheel_drive_select(M1_released_sound < 1.0, 7001.0,
-        9999.0);
     all_wheel_drive_real M2_released;
     all_wheel_drive_real M2_released_sound;
     all_wheel_drive_guard(M2_command, s->M2_largest, s->M2_last, &M2_released, &M2_released_sound);
-    const all_wheel_drive_real cause_fault_M2_torque_ref = all_wheel_drive_select(M2_released_sound < 1.0, 7002.0,
-        9999.0);
     all_wheel_drive_real M3_released;
     all_wheel_drive_real M3_released_sound;
     all_wheel_drive_guard(M3_command, s->M3_largest, s->M3_last, &M3_released, &M3_released_sound);
-    const all_wheel_drive_real cause_fault_M3_torque_ref = all_wheel_drive_select(M3_released_sound < 1.0, 7003.0,
-        9999.0);
     all_wheel_drive_real M4_released;
     all_wheel_drive_real M4_released_sound;
     all_wheel_drive_guard(M4_command, s->M4_largest, s->M4_last, &M4_released, &M4_released_sound);
-    const all_wheel_drive_real cause_fault_M4_torque_ref = all_wheel_drive_select(M4_released_sound < 1.0, 7004.0,
-        9999.0);
     all_wheel_drive_real M5_released;
     all_wheel_drive_real M5_released_sound;
     all_wheel_drive_guard(M5_command, s->M5_largest, s->M5_last, &M5_released, &M5_released_sound);
-    const all_wheel_drive_real cause_fault_M5_torque_ref = all_wheel_drive_select(M5_released_sound < 1.0, 7005.0,
-        9999.0);
     /* the first fault is latched */
     const all_wheel_drive_real cause_of_commands =
-        all_wheel_drive_min(all_wheel_drive_min(all_wheel_drive_min(cause_fault_M1_torque_ref,
-        cause_fault_M2_torque_ref), all_wheel_drive_min(cause_fault_M3_torque_ref, cause_fault_M4_torque_ref)),
-        cause_fault_M5_torque_ref);
-    s->fault = all_wheel_drive_select(s->fault > 0.5, s->fault, all_wheel_drive_select(cause_of_commands > 9998.0,
-        0.0, cause_of_commands));
+        !(M1_released_sound > 0.5) ? 7001.0 :
+        !(M2_released_sound > 0.5) ? 7002.0 :
+        !(M3_released_sound > 0.5) ? 7003.0 :
+        !(M4_released_sound > 0.5) ? 7004.0 :
+        !(M5_released_sound > 0.5) ? 7005.0 :
+        0.0;
+    s->fault = all_wheel_drive_select(s->fault > 0.5, s->fault, cause_of_commands);
     /* ramp of the torques */
     const all_wheel_drive_real authority_wanted = s->authority + all_wheel_drive_select(s->fault > 0.5,
         -s->ramp_step, s->ramp_step);
     all_wheel_drive_share(authority_wanted, &s->authority);
     s->running = all_wheel_drive_select(s->fault > 0.5, 0.0, 1.0);
-    s->M1_last = all_wheel_drive_select(s->fault > 0.5, s->M1_last, M1_released);
+    if (s->fault <= 0.5) {
+        s->M1_last = M1_released;
+        s->M2_last = M2_released;
+        s->M3_last = M3_released;
+        s->M4_last = M4_released;
+        s->M5_last = M5_released;
+    }
     out->M1_torque_ref = all_wheel_drive_max(-900.0, all_wheel_drive_min(900.0, s->M1_last * s->authority));
-    s->M2_last = all_wheel_drive_select(s->fault > 0.5, s->M2_last, M2_released);
     out->M2_torque_ref = all_wheel_drive_max(-2400.0, all_wheel_drive_min(2400.0, s->M2_last * s->authority));
-    s->M3_last = all_wheel_drive_select(s->fault > 0.5, s->M3_last, M3_released);
     out->M3_torque_ref = all_wheel_drive_max(-2400.0, all_wheel_drive_min(2400.0, s->M3_last * s->authority));
-    s->M4_last = all_wheel_drive_select(s->fault > 0.5, s->M4_last, M4_released);
     out->M4_torque_ref = all_wheel_drive_max(-2400.0, all_wheel_drive_min(2400.0, s->M4_last * s->authority));
-    s->M5_last = all_wheel_drive_select(s->fault > 0.5, s->M5_last, M5_released);
     out->M5_torque_ref = all_wheel_drive_max(-2400.0, all_wheel_drive_min(2400.0, s->M5_last * s->authority));
     /* The last line of defence, should parameters have been changed without an update. */
-    if (!all_wheel_drive_is_finite(out->M1_torque_ref)) {
-        out->M1_torque_ref = 0.0;
-        s->fault = s->fault > 0.0 ? s->fault : ALL_WHEEL_DRIVE_REAL(all_wheel_drive_controller_fault_M1_torque_ref);
-        s->running = 0.0;
-    }
-    if (!all_wheel_drive_is_finite(out->M2_torque_ref)) {
-        out->M2_torque_ref = 0.0;
-        s->fault = s->fault > 0.0 ? s->fault : ALL_WHEEL_DRIVE_REAL(all_wheel_drive_controller_fault_M2_torque_ref);
-        s->running = 0.0;
-    }
-    if (!all_wheel_drive_is_finite(out->M3_torque_ref)) {
-        out->M3_torque_ref = 0.0;
-        s->fault = s->fault > 0.0 ? s->fault : ALL_WHEEL_DRIVE_REAL(all_wheel_drive_controller_fault_M3_torque_ref);
-        s->running = 0.0;
-    }
-    if (!all_wheel_drive_is_finite(out->M4_torque_ref)) {
-        out->M4_torque_ref = 0.0;
-        s->fault = s->fault > 0.0 ? s->fault : ALL_WHEEL_DRIVE_REAL(all_wheel_drive_controller_fault_M4_torque_ref);
-        s->running = 0.0;
-    }
-    if (!all_wheel_drive_is_finite(out->M5_torque_ref)) {
-        out->M5_torque_ref = 0.0;
-        s->fault = s->fault > 0.0 ? s->fault : ALL_WHEEL_DRIVE_REAL(all_wheel_drive_controller_fault_M5_torque_ref);
-        s->running = 0.0;
+    if (!all_wheel_drive_is_finite(out->M1_torque_ref + out->M2_torque_ref + out->M3_torque_ref + out->M4_torque_ref + out->M5_torque_ref)) {
+        if (!all_wheel_drive_is_finite(out->M1_torque_ref)) {
+            out->M1_torque_ref = 0.0;
+            s->fault = s->fault > 0.0 ? s->fault : ALL_WHEEL_DRIVE_REAL(all_wheel_drive_controller_fault_M1_torque_ref);
+            s->running = 0.0;
+        }
+        if (!all_wheel_drive_is_finite(out->M2_torque_ref)) {
+            out->M2_torque_ref = 0.0;
+            s->fault = s->fault > 0.0 ? s->fault : ALL_WHEEL_DRIVE_REAL(all_wheel_drive_controller_fault_M2_torque_ref);
+            s->running = 0.0;
+        }
+        if (!all_wheel_drive_is_finite(out->M3_torque_ref)) {
+            out->M3_torque_ref = 0.0;
+            s->fault = s->fault > 0.0 ? s->fault : ALL_WHEEL_DRIVE_REAL(all_wheel_drive_controller_fault_M3_torque_ref);
+            s->running = 0.0;
+        }
+        if (!all_wheel_drive_is_finite(out->M4_torque_ref)) {
+            out->M4_torque_ref = 0.0;
+            s->fault = s->fault > 0.0 ? s->fault : ALL_WHEEL_DRIVE_REAL(all_wheel_drive_controller_fault_M4_torque_ref);
+            s->running = 0.0;
+        }
+        if (!all_wheel_drive_is_finite(out->M5_torque_ref)) {
+            out->M5_torque_ref = 0.0;
+            s->fault = s->fault > 0.0 ? s->fault : ALL_WHEEL_DRIVE_REAL(all_wheel_drive_controller_fault_M5_torque_ref);
+            s->running = 0.0;
+        }
     }
     return (all_wheel_drive_controller_status)s->fault;
 }

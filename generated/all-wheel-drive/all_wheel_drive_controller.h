@@ -280,23 +280,34 @@ typedef struct {
     all_wheel_drive_real M3_last; /* last torque of M3 before a fault (N m) */
     all_wheel_drive_real M4_last; /* last torque of M4 before a fault (N m) */
     all_wheel_drive_real M5_last; /* last torque of M5 before a fault (N m) */
+    all_wheel_drive_real bridged_time; /* for how long bad samples are bridged, with room for rounding (s) */
     all_wheel_drive_real switch_share; /* share of a change per step */
     all_wheel_drive_real M1_taper_slope; /* share of the torque of M1 per excess of speed (s/rad) */
     all_wheel_drive_real M1_taper_end; /* share at standstill if it were not limited */
+    all_wheel_drive_real M1_power; /* power of M1 above its rated speed (W) */
     all_wheel_drive_real M2_taper_slope; /* share of the torque of M2 per excess of speed (s/rad) */
     all_wheel_drive_real M2_taper_end; /* share at standstill if it were not limited */
+    all_wheel_drive_real M2_power; /* power of M2 above its rated speed (W) */
     all_wheel_drive_real M3_taper_slope; /* share of the torque of M3 per excess of speed (s/rad) */
     all_wheel_drive_real M3_taper_end; /* share at standstill if it were not limited */
+    all_wheel_drive_real M3_power; /* power of M3 above its rated speed (W) */
     all_wheel_drive_real M4_taper_slope; /* share of the torque of M4 per excess of speed (s/rad) */
     all_wheel_drive_real M4_taper_end; /* share at standstill if it were not limited */
+    all_wheel_drive_real M4_power; /* power of M4 above its rated speed (W) */
     all_wheel_drive_real M5_taper_slope; /* share of the torque of M5 per excess of speed (s/rad) */
     all_wheel_drive_real M5_taper_end; /* share at standstill if it were not limited */
+    all_wheel_drive_real M5_power; /* power of M5 above its rated speed (W) */
     all_wheel_drive_real disagreement_share; /* share of the difference that is forgotten per step */
     all_wheel_drive_real M1_per_step; /* change of speed of M1 per torque in a step (rad/s/(N m)) */
+    all_wheel_drive_real M1_moved_torque; /* change of the command to M1 that a torque must follow (N m) */
     all_wheel_drive_real M2_per_step; /* change of speed of M2 per torque in a step (rad/s/(N m)) */
+    all_wheel_drive_real M2_moved_torque; /* change of the command to M2 that a torque must follow (N m) */
     all_wheel_drive_real M3_per_step; /* change of speed of M3 per torque in a step (rad/s/(N m)) */
+    all_wheel_drive_real M3_moved_torque; /* change of the command to M3 that a torque must follow (N m) */
     all_wheel_drive_real M4_per_step; /* change of speed of M4 per torque in a step (rad/s/(N m)) */
+    all_wheel_drive_real M4_moved_torque; /* change of the command to M4 that a torque must follow (N m) */
     all_wheel_drive_real M5_per_step; /* change of speed of M5 per torque in a step (rad/s/(N m)) */
+    all_wheel_drive_real M5_moved_torque; /* change of the command to M5 that a torque must follow (N m) */
     all_wheel_drive_real forgotten_swings; /* half swings that are forgotten per step */
     all_wheel_drive_real mean_share; /* share of a step in the mean of a torque */
     all_wheel_drive_real M2_speed_ref_step; /* largest change of M2_speed_ref in a step (rad/s) */

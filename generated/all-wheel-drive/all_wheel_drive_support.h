@@ -7,6 +7,7 @@
 #ifndef ALL_WHEEL_DRIVE_SUPPORT_H
 #define ALL_WHEEL_DRIVE_SUPPORT_H
 
+#include <math.h>
 #include <stddef.h>
 
 typedef double all_wheel_drive_real;
@@ -18,7 +19,7 @@ typedef double all_wheel_drive_real;
 
 static inline all_wheel_drive_real all_wheel_drive_min(all_wheel_drive_real a, all_wheel_drive_real b) { return a < b ? a : b; }
 static inline all_wheel_drive_real all_wheel_drive_max(all_wheel_drive_real a, all_wheel_drive_real b) { return a > b ? a : b; }
-static inline all_wheel_drive_real all_wheel_drive_abs(all_wheel_drive_real a) { return all_wheel_drive_max(-a, a); }
+static inline all_wheel_drive_real all_wheel_drive_abs(all_wheel_drive_real a) { return fabs(a); }
 /* Both are computed before, so that a step takes nearly the same time whichever is chosen. */
 static inline all_wheel_drive_real all_wheel_drive_select(int condition, all_wheel_drive_real a, all_wheel_drive_real b)
 {
@@ -144,19 +145,15 @@ static inline void all_wheel_drive_guard(all_wheel_drive_real value, all_wheel_d
 {
     const int good = all_wheel_drive_abs(value) <= bound; /* false for NaN */
     *held = all_wheel_drive_select(good, value, before);
-    *sound = (all_wheel_drive_real)good;
+    *sound = all_wheel_drive_select(good, 1.0, 0.0);
 }
 
-/* For how long a signal was not sound: a sound step takes back a bad one. `late` is 1 if that is longer than allowed. */
+/* For how long a signal was not sound: a sound step takes back a bad one. No more than `allowed` and a step is counted. */
 static inline void all_wheel_drive_lasting(all_wheel_drive_real sound, all_wheel_drive_real time, all_wheel_drive_real step, all_wheel_drive_real allowed,
-    all_wheel_drive_real *after, all_wheel_drive_real *late)
+    all_wheel_drive_real *after)
 {
-    const all_wheel_drive_real longer = time + step;
-    const all_wheel_drive_real left = all_wheel_drive_min(time, allowed) - step;
-    const int good = sound > 0.5;
-    const int over = !(longer <= allowed + 0.5 * step); /* 1 for NaN */
-    *after = all_wheel_drive_select(good, all_wheel_drive_max(left, 0.0), longer);
-    *late = (all_wheel_drive_real)(over & !good);
+    const all_wheel_drive_real counted = all_wheel_drive_min(time, allowed);
+    *after = all_wheel_drive_select(sound > 0.5, all_wheel_drive_max(counted, step) - step, counted + step);
 }
 
 /* For how long `value` has been the same to the last bit. */
@@ -172,9 +169,8 @@ static inline void all_wheel_drive_swings(all_wheel_drive_real value, all_wheel_
 {
     const all_wheel_drive_real above = all_wheel_drive_select(value > limit, 1.0, side);
     const all_wheel_drive_real now = all_wheel_drive_select(value < -limit, -1.0, above);
-    const int changed = all_wheel_drive_abs(now - side) > 0.0;
     *after = now;
-    *swings = all_wheel_drive_max(count - decay, 0.0) + (all_wheel_drive_real)changed;
+    *swings = all_wheel_drive_max(count - decay, 0.0) + all_wheel_drive_min(all_wheel_drive_abs(now - side), 1.0);
 }
 
 /* `value` limited to 0 to 1; 0 for NaN. */
@@ -184,17 +180,25 @@ static inline void all_wheel_drive_share(all_wheel_drive_real value, all_wheel_d
 }
 
 /*
- * Function that is linear between the n increasing points of `grid` and constant beyond them; slope[k] holds from
- * grid[k] on, `first` is the value at grid[0]. Always takes the same time.
+ * Function that is linear between the n increasing points of `grid` and constant beyond them: from grid[k] on it is
+ * level[k] + slope[k] * (value - grid[k]); slope[n - 1] is zero. Bisection without branches: always the same time.
  */
 static inline void all_wheel_drive_lookup(int n, all_wheel_drive_real value, const all_wheel_drive_real *grid, const all_wheel_drive_real *slope,
-    all_wheel_drive_real first, all_wheel_drive_real *result)
+    const all_wheel_drive_real *level, all_wheel_drive_real *result)
 {
-    all_wheel_drive_real sum = first;
-    for (int k = 0; k + 1 < n; ++k) {
-        sum += slope[k] * all_wheel_drive_min(all_wheel_drive_max(value - grid[k], 0.0), grid[k + 1] - grid[k]);
+    const all_wheel_drive_real *at = grid;
+    int count = n; /* a constant where this is called, so most of what follows is computed by the compiler */
+    at += (value >= at[count / 2]) * (count / 2), count -= count / 2;
+    at += (value >= at[count / 2]) * (count / 2), count -= count / 2;
+    at += (value >= at[count / 2]) * (count / 2), count -= count / 2;
+    at += (value >= at[count / 2]) * (count / 2), count -= count / 2;
+    at += (value >= at[count / 2]) * (count / 2), count -= count / 2;
+    at += (value >= at[count / 2]) * (count / 2), count -= count / 2;
+    while (count > 1) {
+        at += (value >= at[count / 2]) * (count / 2), count -= count / 2;
     }
-    *result = sum;
+    const ptrdiff_t k = at - grid;
+    *result = level[k] + slope[k] * all_wheel_drive_max(value - grid[k], 0.0);
 }
 
 #endif

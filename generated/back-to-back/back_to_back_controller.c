@@ -259,14 +259,19 @@ back_to_back_controller_status back_to_back_controller_update(back_to_back_contr
             return (back_to_back_controller_status)(2000 + k);
         }
     }
+    s->bridged_time = p->hold_time + (0.5) * p->sample_time;
     s->switch_share = p->sample_time / p->switch_time;
     s->M1_taper_slope = 1.0 / p->M1_speed_taper;
     s->M1_taper_end = p->M1_speed_max / p->M1_speed_taper + 1.0;
+    s->M1_power = p->M1_speed_rated * p->M1_torque_max;
     s->M2_taper_slope = 1.0 / p->M2_speed_taper;
     s->M2_taper_end = p->M2_speed_max / p->M2_speed_taper + 1.0;
+    s->M2_power = p->M2_speed_rated * p->M2_torque_max;
     s->disagreement_share = p->disagreement_leak * p->sample_time;
     s->M1_per_step = p->sample_time / p->M1_inertia;
+    s->M1_moved_torque = 0.05 * p->M1_torque_max;
     s->M2_per_step = p->sample_time / p->M2_inertia;
+    s->M2_moved_torque = 0.05 * p->M2_torque_max;
     s->forgotten_swings = p->oscillation_frequency * p->sample_time;
     s->mean_share = 6.2832 * p->oscillation_frequency * p->sample_time;
     s->M2_speed_ref_step = p->M2_speed_ref_rate * p->sample_time;
@@ -292,130 +297,135 @@ back_to_back_controller_status back_to_back_controller_step(back_to_back_control
     back_to_back_real flange1_torque_ref_sound;
     back_to_back_guard(in->flange1_torque_ref, p->flange1_torque_ref_plausible, s->flange1_torque_ref_held,
         &s->flange1_torque_ref_held, &flange1_torque_ref_sound);
-    back_to_back_real flange1_torque_ref_lost;
     back_to_back_lasting(flange1_torque_ref_sound, s->flange1_torque_ref_bad_time, p->sample_time, p->hold_time,
-        &s->flange1_torque_ref_bad_time, &flange1_torque_ref_lost);
-    const back_to_back_real cause_fault_flange1_torque_ref = back_to_back_select(flange1_torque_ref_lost > 0.0, 1.0,
-        9999.0);
+        &s->flange1_torque_ref_bad_time);
     back_to_back_real M2_speed_ref_sound;
     back_to_back_guard(in->M2_speed_ref, p->M2_speed_ref_plausible, s->M2_speed_ref_held, &s->M2_speed_ref_held,
         &M2_speed_ref_sound);
-    back_to_back_real M2_speed_ref_lost;
     back_to_back_lasting(M2_speed_ref_sound, s->M2_speed_ref_bad_time, p->sample_time, p->hold_time,
-        &s->M2_speed_ref_bad_time, &M2_speed_ref_lost);
-    const back_to_back_real cause_fault_M2_speed_ref = back_to_back_select(M2_speed_ref_lost > 0.0, 2.0, 9999.0);
+        &s->M2_speed_ref_bad_time);
     back_to_back_real M1_speed_sound;
     back_to_back_guard(in->M1_speed, p->M1_speed_plausible, s->M1_speed_held, &s->M1_speed_held, &M1_speed_sound);
-    back_to_back_real M1_speed_lost;
-    back_to_back_lasting(M1_speed_sound, s->M1_speed_bad_time, p->sample_time, p->hold_time, &s->M1_speed_bad_time,
-        &M1_speed_lost);
-    const back_to_back_real cause_fault_M1_speed = back_to_back_select(M1_speed_lost > 0.0, 3.0, 9999.0);
+    back_to_back_lasting(M1_speed_sound, s->M1_speed_bad_time, p->sample_time, p->hold_time, &s->M1_speed_bad_time);
     back_to_back_real flange1_torque_sound;
     back_to_back_guard(in->flange1_torque, p->flange1_torque_plausible, s->flange1_torque_held,
         &s->flange1_torque_held, &flange1_torque_sound);
-    back_to_back_real flange1_torque_lost;
     back_to_back_lasting(flange1_torque_sound, s->flange1_torque_bad_time, p->sample_time, p->hold_time,
-        &s->flange1_torque_bad_time, &flange1_torque_lost);
-    const back_to_back_real cause_fault_flange1_torque = back_to_back_select(flange1_torque_lost > 0.0, 4.0,
-        9999.0);
+        &s->flange1_torque_bad_time);
     back_to_back_real flange2_torque_sound;
     back_to_back_guard(in->flange2_torque, p->flange2_torque_plausible, s->flange2_torque_held,
         &s->flange2_torque_held, &flange2_torque_sound);
-    back_to_back_real flange2_torque_lost;
     back_to_back_lasting(flange2_torque_sound, s->flange2_torque_bad_time, p->sample_time, p->hold_time,
-        &s->flange2_torque_bad_time, &flange2_torque_lost);
-    const back_to_back_real cause_fault_flange2_torque = back_to_back_select(flange2_torque_lost > 0.0, 5.0,
-        9999.0);
+        &s->flange2_torque_bad_time);
     back_to_back_real M2_speed_sound;
     back_to_back_guard(in->M2_speed, p->M2_speed_plausible, s->M2_speed_held, &s->M2_speed_held, &M2_speed_sound);
-    back_to_back_real M2_speed_lost;
-    back_to_back_lasting(M2_speed_sound, s->M2_speed_bad_time, p->sample_time, p->hold_time, &s->M2_speed_bad_time,
-        &M2_speed_lost);
-    const back_to_back_real cause_fault_M2_speed = back_to_back_select(M2_speed_lost > 0.0, 6.0, 9999.0);
+    back_to_back_lasting(M2_speed_sound, s->M2_speed_bad_time, p->sample_time, p->hold_time, &s->M2_speed_bad_time);
     /* overspeed */
     const back_to_back_real M1_slow_enough = back_to_back_select(p->M1_overspeed >=
         back_to_back_abs(s->M1_speed_held), 1.0, 0.0);
-    back_to_back_real M1_too_fast;
-    back_to_back_lasting(M1_slow_enough, s->M1_overspeed_time, p->sample_time, p->hold_time, &s->M1_overspeed_time,
-        &M1_too_fast);
-    const back_to_back_real cause_fault_M1_speed_overspeed = back_to_back_select(M1_too_fast > 0.0, 4003.0, 9999.0);
+    back_to_back_lasting(M1_slow_enough, s->M1_overspeed_time, p->sample_time, p->hold_time, &s->M1_overspeed_time);
     const back_to_back_real M2_slow_enough = back_to_back_select(p->M2_overspeed >=
         back_to_back_abs(s->M2_speed_held), 1.0, 0.0);
-    back_to_back_real M2_too_fast;
-    back_to_back_lasting(M2_slow_enough, s->M2_overspeed_time, p->sample_time, p->hold_time, &s->M2_overspeed_time,
-        &M2_too_fast);
-    const back_to_back_real cause_fault_M2_speed_overspeed = back_to_back_select(M2_too_fast > 0.0, 4006.0, 9999.0);
+    back_to_back_lasting(M2_slow_enough, s->M2_overspeed_time, p->sample_time, p->hold_time, &s->M2_overspeed_time);
     /* reset on request, when the cause is gone */
     const back_to_back_real reset_pressed = back_to_back_select(back_to_back_abs(in->reset - 1.0) <= 0.5, 1.0, 0.0);
-    const back_to_back_real inputs_sound = back_to_back_min(back_to_back_min(back_to_back_min(M1_slow_enough,
-        M1_speed_sound), back_to_back_min(M2_slow_enough, M2_speed_ref_sound)),
-        back_to_back_min(back_to_back_min(M2_speed_sound, flange1_torque_ref_sound),
-        back_to_back_min(flange1_torque_sound, flange2_torque_sound)));
-    const back_to_back_real latched = back_to_back_select(s->fault > 0.5, 1.0, 0.0);
-    s->reset_request = inputs_sound * latched * (1.0 - s->refused) * back_to_back_max(s->reset_request,
-        -s->reset_before + reset_pressed);
+    s->reset_request = back_to_back_select(s->fault > 0.5, back_to_back_select(p->M1_overspeed >=
+        back_to_back_abs(s->M1_speed_held) && p->M1_speed_plausible >= back_to_back_abs(in->M1_speed) &&
+        p->M2_overspeed >= back_to_back_abs(s->M2_speed_held) && p->M2_speed_plausible >=
+        back_to_back_abs(in->M2_speed) && p->M2_speed_ref_plausible >= back_to_back_abs(in->M2_speed_ref) &&
+        p->flange1_torque_plausible >= back_to_back_abs(in->flange1_torque) && p->flange1_torque_ref_plausible >=
+        back_to_back_abs(in->flange1_torque_ref) && p->flange2_torque_plausible >=
+        back_to_back_abs(in->flange2_torque), (1.0 - s->refused) * back_to_back_max(s->reset_request,
+        -s->reset_before + reset_pressed), 0.0), 0.0);
     s->reset_before = reset_pressed;
     s->fault = s->fault * (1.0 - back_to_back_select(s->authority <= 0.0, s->reset_request, 0.0));
     s->reset_request = back_to_back_select(s->fault > 0.5, s->reset_request, 0.0);
     /* the first fault is latched */
     const back_to_back_real cause_of_inputs =
-        back_to_back_min(back_to_back_min(back_to_back_min(cause_fault_M1_speed, cause_fault_M1_speed_overspeed),
-        back_to_back_min(cause_fault_M2_speed, cause_fault_M2_speed_overspeed)),
-        back_to_back_min(back_to_back_min(cause_fault_M2_speed_ref, cause_fault_flange1_torque),
-        back_to_back_min(cause_fault_flange1_torque_ref, cause_fault_flange2_torque)));
-    s->fault = back_to_back_select(s->fault > 0.5, s->fault, back_to_back_select(cause_of_inputs > 9998.0, 0.0,
-        cause_of_inputs));
+        !(s->flange1_torque_ref_bad_time <= s->bridged_time) ? 1.0 :
+        !(s->M2_speed_ref_bad_time <= s->bridged_time) ? 2.0 :
+        !(s->M1_speed_bad_time <= s->bridged_time) ? 3.0 :
+        !(s->flange1_torque_bad_time <= s->bridged_time) ? 4.0 :
+        !(s->flange2_torque_bad_time <= s->bridged_time) ? 5.0 :
+        !(s->M2_speed_bad_time <= s->bridged_time) ? 6.0 :
+        !(s->M1_overspeed_time <= s->bridged_time) ? 4003.0 :
+        !(s->M2_overspeed_time <= s->bridged_time) ? 4006.0 :
+        0.0;
+    s->fault = back_to_back_select(s->fault > 0.5, s->fault, cause_of_inputs);
+    if (s->running <= 0.5) {
+        /* the first step, and the first one after a fault, starts anew */
+        s->load_compensation_now = p->load_compensation;
+        s->acceleration_torque_now = p->acceleration_torque;
+        s->M1_damping_now = p->M1_damping;
+        s->M1_integrated = s->M1_speed_held;
+        s->M1_speed_still_time = 0.0;
+        s->flange1_torque_still_time = 0.0;
+        s->M2_integrated = s->M2_speed_held;
+        s->M2_speed_still_time = 0.0;
+        s->flange2_torque_still_time = 0.0;
+        s->flange1_torque_mean = s->flange1_torque_held;
+        s->flange1_torque_swings = 0.0;
+        s->flange2_torque_mean = s->flange2_torque_held;
+        s->flange2_torque_swings = 0.0;
+        s->M1_torque_ref_mean = 0.0;
+        s->M1_torque_ref_swings = 0.0;
+        s->M2_torque_ref_mean = 0.0;
+        s->M2_torque_ref_swings = 0.0;
+        s->M2_speed_ref_limited = s->M2_speed_held;
+        s->M2_speed_integral = 0.0;
+        s->M1_model_rate = 0.0;
+        s->M1_torque_integral = 0.0;
+    }
     /* load_compensation follows its parameter along a ramp */
-    const back_to_back_real load_compensation_before = back_to_back_select(s->running > 0.5,
-        s->load_compensation_now, p->load_compensation);
+    const back_to_back_real load_compensation_before = s->load_compensation_now;
     const back_to_back_real load_compensation_distance = p->load_compensation - load_compensation_before;
-    const back_to_back_real load_compensation_moved = back_to_back_select(p->load_compensation !=
-        s->load_compensation_target, back_to_back_max(s->switch_share *
-        back_to_back_abs(load_compensation_distance), 1e-06 * back_to_back_abs(p->load_compensation) + 1e-06 *
-        back_to_back_abs(load_compensation_before)), s->load_compensation_step);
-    s->load_compensation_now = back_to_back_select(load_compensation_distance > load_compensation_moved,
-        load_compensation_before + load_compensation_moved, back_to_back_select(load_compensation_distance <
-        -load_compensation_moved, load_compensation_before - load_compensation_moved, p->load_compensation));
-    s->load_compensation_step = back_to_back_select(load_compensation_moved <
-        back_to_back_abs(load_compensation_distance), load_compensation_moved, 0.0);
+    if (p->load_compensation != s->load_compensation_target) {
+        s->load_compensation_step = back_to_back_max(s->switch_share * back_to_back_abs(load_compensation_distance),
+            1e-06 * back_to_back_abs(p->load_compensation) + 1e-06 * back_to_back_abs(load_compensation_before));
+    }
+    s->load_compensation_now = back_to_back_select(s->load_compensation_step <
+        back_to_back_abs(load_compensation_distance), load_compensation_before +
+        back_to_back_max(-s->load_compensation_step, back_to_back_min(load_compensation_distance,
+        s->load_compensation_step)), p->load_compensation);
+    s->load_compensation_step = back_to_back_select(s->load_compensation_step <
+        back_to_back_abs(load_compensation_distance), s->load_compensation_step, 0.0);
     s->load_compensation_target = p->load_compensation;
     /* acceleration_torque follows its parameter along a ramp */
-    const back_to_back_real acceleration_torque_before = back_to_back_select(s->running > 0.5,
-        s->acceleration_torque_now, p->acceleration_torque);
+    const back_to_back_real acceleration_torque_before = s->acceleration_torque_now;
     const back_to_back_real acceleration_torque_distance = p->acceleration_torque - acceleration_torque_before;
-    const back_to_back_real acceleration_torque_moved = back_to_back_select(p->acceleration_torque !=
-        s->acceleration_torque_target, back_to_back_max(s->switch_share *
-        back_to_back_abs(acceleration_torque_distance), 1e-06 * back_to_back_abs(p->acceleration_torque) + 1e-06 *
-        back_to_back_abs(acceleration_torque_before)), s->acceleration_torque_step);
-    s->acceleration_torque_now = back_to_back_select(acceleration_torque_distance > acceleration_torque_moved,
-        acceleration_torque_before + acceleration_torque_moved, back_to_back_select(acceleration_torque_distance <
-        -acceleration_torque_moved, acceleration_torque_before - acceleration_torque_moved,
-        p->acceleration_torque));
-    s->acceleration_torque_step = back_to_back_select(acceleration_torque_moved <
-        back_to_back_abs(acceleration_torque_distance), acceleration_torque_moved, 0.0);
+    if (p->acceleration_torque != s->acceleration_torque_target) {
+        s->acceleration_torque_step = back_to_back_max(s->switch_share * back_to_back_abs(acceleration_torque_distance),
+            1e-06 * back_to_back_abs(p->acceleration_torque) + 1e-06 * back_to_back_abs(acceleration_torque_before));
+    }
+    s->acceleration_torque_now = back_to_back_select(s->acceleration_torque_step <
+        back_to_back_abs(acceleration_torque_distance), acceleration_torque_before +
+        back_to_back_max(-s->acceleration_torque_step, back_to_back_min(acceleration_torque_distance,
+        s->acceleration_torque_step)), p->acceleration_torque);
+    s->acceleration_torque_step = back_to_back_select(s->acceleration_torque_step <
+        back_to_back_abs(acceleration_torque_distance), s->acceleration_torque_step, 0.0);
     s->acceleration_torque_target = p->acceleration_torque;
     /* M1_damping follows its parameter along a ramp */
-    const back_to_back_real M1_damping_before = back_to_back_select(s->running > 0.5, s->M1_damping_now,
-        p->M1_damping);
+    const back_to_back_real M1_damping_before = s->M1_damping_now;
     const back_to_back_real M1_damping_distance = p->M1_damping - M1_damping_before;
-    const back_to_back_real M1_damping_moved = back_to_back_select(p->M1_damping != s->M1_damping_target,
-        back_to_back_max(s->switch_share * back_to_back_abs(M1_damping_distance), 1e-06 *
-        back_to_back_abs(p->M1_damping) + 1e-06 * back_to_back_abs(M1_damping_before)), s->M1_damping_step);
-    s->M1_damping_now = back_to_back_select(M1_damping_distance > M1_damping_moved, M1_damping_before +
-        M1_damping_moved, back_to_back_select(M1_damping_distance < -M1_damping_moved, M1_damping_before -
-        M1_damping_moved, p->M1_damping));
-    s->M1_damping_step = back_to_back_select(M1_damping_moved < back_to_back_abs(M1_damping_distance),
-        M1_damping_moved, 0.0);
+    if (p->M1_damping != s->M1_damping_target) {
+        s->M1_damping_step = back_to_back_max(s->switch_share * back_to_back_abs(M1_damping_distance), 1e-06 *
+            back_to_back_abs(p->M1_damping) + 1e-06 * back_to_back_abs(M1_damping_before));
+    }
+    s->M1_damping_now = back_to_back_select(s->M1_damping_step < back_to_back_abs(M1_damping_distance),
+        M1_damping_before + back_to_back_max(-s->M1_damping_step, back_to_back_min(M1_damping_distance,
+        s->M1_damping_step)), p->M1_damping);
+    s->M1_damping_step = back_to_back_select(s->M1_damping_step < back_to_back_abs(M1_damping_distance),
+        s->M1_damping_step, 0.0);
     s->M1_damping_target = p->M1_damping;
     /* torque-speed envelope, Figure 7.1 */
-    const back_to_back_real M1_available = p->M1_speed_rated * p->M1_torque_max /
-        back_to_back_max(p->M1_speed_rated, back_to_back_abs(s->M1_speed_held));
+    const back_to_back_real M1_available = s->M1_power / back_to_back_max(p->M1_speed_rated,
+        back_to_back_abs(s->M1_speed_held));
     const back_to_back_real M1_least = -M1_available * back_to_back_max(0.0, back_to_back_min(1.0, s->M1_speed_held
         * s->M1_taper_slope + s->M1_taper_end));
     const back_to_back_real M1_most = M1_available * back_to_back_max(0.0, back_to_back_min(1.0, -s->M1_speed_held *
         s->M1_taper_slope + s->M1_taper_end));
-    const back_to_back_real M2_available = p->M2_speed_rated * p->M2_torque_max /
-        back_to_back_max(p->M2_speed_rated, back_to_back_abs(s->M2_speed_held));
+    const back_to_back_real M2_available = s->M2_power / back_to_back_max(p->M2_speed_rated,
+        back_to_back_abs(s->M2_speed_held));
     const back_to_back_real M2_least = -M2_available * back_to_back_max(0.0, back_to_back_min(1.0, s->M2_speed_held
         * s->M2_taper_slope + s->M2_taper_end));
     const back_to_back_real M2_most = M2_available * back_to_back_max(0.0, back_to_back_min(1.0, -s->M2_speed_held *
@@ -424,120 +434,85 @@ back_to_back_controller_status back_to_back_controller_step(back_to_back_control
     const back_to_back_real M1_applied = s->M1_last * s->authority;
     const back_to_back_real M2_applied = s->M2_last * s->authority;
     /* speed from the torques on the rotor */
-    const back_to_back_real M1_integrated_before = back_to_back_select(s->running > 0.5, s->M1_integrated,
-        s->M1_speed_held);
+    const back_to_back_real M1_integrated_before = s->M1_integrated;
     s->M1_integrated = M1_integrated_before + s->M1_per_step * (M1_applied - s->flange1_torque_held) +
         s->disagreement_share * (-M1_integrated_before + s->M1_speed_held);
     const back_to_back_real M1_difference = back_to_back_abs(s->M1_integrated - s->M1_speed_held);
     /* speed against torques */
     const back_to_back_real M1_agrees = back_to_back_select(M1_difference <= p->M1_disagreement_limit, 1.0, 0.0);
-    back_to_back_real M1_disagrees;
-    back_to_back_lasting(M1_agrees, s->M1_disagreement_time, p->sample_time, p->hold_time, &s->M1_disagreement_time,
-        &M1_disagrees);
+    back_to_back_lasting(M1_agrees, s->M1_disagreement_time, p->sample_time, p->hold_time,
+        &s->M1_disagreement_time);
     /* M1_speed to the last bit */
-    s->M1_speed_still_time = back_to_back_select(s->running > 0.5, s->M1_speed_still_time, 0.0);
     back_to_back_still(s->M1_speed_held, s->M1_speed_before, s->M1_speed_still_time, p->sample_time,
         &s->M1_speed_still_time);
     s->M1_speed_before = s->M1_speed_held;
-    const back_to_back_real cause_fault_M1_speed_frozen = back_to_back_select(back_to_back_min(M1_difference -
-        p->M1_frozen_limit, s->M1_speed_still_time - p->frozen_time) > 0.0, 3003.0, 9999.0);
-    const back_to_back_real cause_fault_M1_speed_disagreement = back_to_back_select(M1_disagrees > 0.0, 5003.0,
-        9999.0);
     /* flange1_torque to the last bit */
-    s->flange1_torque_still_time = back_to_back_select(s->running > 0.5, s->flange1_torque_still_time, 0.0);
     back_to_back_still(s->flange1_torque_held, s->flange1_torque_before, s->flange1_torque_still_time,
         p->sample_time, &s->flange1_torque_still_time);
     s->flange1_torque_before = s->flange1_torque_held;
     s->flange1_torque_command = back_to_back_select(s->flange1_torque_still_time > 0.0, s->flange1_torque_command,
         M1_applied);
-    const back_to_back_real cause_fault_flange1_torque_frozen =
-        back_to_back_select(back_to_back_min(back_to_back_min(M1_difference - p->M1_frozen_limit,
-        s->flange1_torque_still_time - p->frozen_time), -0.05 * p->M1_torque_max + back_to_back_abs(M1_applied -
-        s->flange1_torque_command)) > 0.0, 3004.0, 9999.0);
     /* speed from the torques on the rotor */
-    const back_to_back_real M2_integrated_before = back_to_back_select(s->running > 0.5, s->M2_integrated,
-        s->M2_speed_held);
+    const back_to_back_real M2_integrated_before = s->M2_integrated;
     s->M2_integrated = M2_integrated_before + s->M2_per_step * (M2_applied + s->flange2_torque_held) +
         s->disagreement_share * (-M2_integrated_before + s->M2_speed_held);
     const back_to_back_real M2_difference = back_to_back_abs(s->M2_integrated - s->M2_speed_held);
     /* speed against torques */
     const back_to_back_real M2_agrees = back_to_back_select(M2_difference <= p->M2_disagreement_limit, 1.0, 0.0);
-    back_to_back_real M2_disagrees;
-    back_to_back_lasting(M2_agrees, s->M2_disagreement_time, p->sample_time, p->hold_time, &s->M2_disagreement_time,
-        &M2_disagrees);
+    back_to_back_lasting(M2_agrees, s->M2_disagreement_time, p->sample_time, p->hold_time,
+        &s->M2_disagreement_time);
     /* M2_speed to the last bit */
-    s->M2_speed_still_time = back_to_back_select(s->running > 0.5, s->M2_speed_still_time, 0.0);
     back_to_back_still(s->M2_speed_held, s->M2_speed_before, s->M2_speed_still_time, p->sample_time,
         &s->M2_speed_still_time);
     s->M2_speed_before = s->M2_speed_held;
-    const back_to_back_real cause_fault_M2_speed_frozen = back_to_back_select(back_to_back_min(M2_difference -
-        p->M2_frozen_limit, s->M2_speed_still_time - p->frozen_time) > 0.0, 3006.0, 9999.0);
-    const back_to_back_real cause_fault_M2_speed_disagreement = back_to_back_select(M2_disagrees > 0.0, 5006.0,
-        9999.0);
     /* flange2_torque to the last bit */
-    s->flange2_torque_still_time = back_to_back_select(s->running > 0.5, s->flange2_torque_still_time, 0.0);
     back_to_back_still(s->flange2_torque_held, s->flange2_torque_before, s->flange2_torque_still_time,
         p->sample_time, &s->flange2_torque_still_time);
     s->flange2_torque_before = s->flange2_torque_held;
     s->flange2_torque_command = back_to_back_select(s->flange2_torque_still_time > 0.0, s->flange2_torque_command,
         M2_applied);
-    const back_to_back_real cause_fault_flange2_torque_frozen =
-        back_to_back_select(back_to_back_min(back_to_back_min(M2_difference - p->M2_frozen_limit,
-        s->flange2_torque_still_time - p->frozen_time), -0.05 * p->M2_torque_max + back_to_back_abs(M2_applied -
-        s->flange2_torque_command)) > 0.0, 3005.0, 9999.0);
     /* oscillation of flange1_torque */
-    const back_to_back_real flange1_torque_mean_before = back_to_back_select(s->running > 0.5,
-        s->flange1_torque_mean, s->flange1_torque_held);
+    const back_to_back_real flange1_torque_mean_before = s->flange1_torque_mean;
     const back_to_back_real flange1_torque_swing = s->flange1_torque_held - flange1_torque_mean_before;
     s->flange1_torque_mean = flange1_torque_mean_before + flange1_torque_swing * s->mean_share;
-    s->flange1_torque_swings = back_to_back_select(s->running > 0.5, s->flange1_torque_swings, 0.0);
     back_to_back_swings(flange1_torque_swing, p->flange1_torque_oscillation_limit, s->flange1_torque_side,
         s->flange1_torque_swings, s->forgotten_swings, &s->flange1_torque_side, &s->flange1_torque_swings);
-    const back_to_back_real cause_fault_flange1_torque_oscillation = back_to_back_select(s->flange1_torque_swings -
-        5.5 > 0.0, 6004.0, 9999.0);
     /* oscillation of flange2_torque */
-    const back_to_back_real flange2_torque_mean_before = back_to_back_select(s->running > 0.5,
-        s->flange2_torque_mean, s->flange2_torque_held);
+    const back_to_back_real flange2_torque_mean_before = s->flange2_torque_mean;
     const back_to_back_real flange2_torque_swing = s->flange2_torque_held - flange2_torque_mean_before;
     s->flange2_torque_mean = flange2_torque_mean_before + flange2_torque_swing * s->mean_share;
-    s->flange2_torque_swings = back_to_back_select(s->running > 0.5, s->flange2_torque_swings, 0.0);
     back_to_back_swings(flange2_torque_swing, p->flange2_torque_oscillation_limit, s->flange2_torque_side,
         s->flange2_torque_swings, s->forgotten_swings, &s->flange2_torque_side, &s->flange2_torque_swings);
-    const back_to_back_real cause_fault_flange2_torque_oscillation = back_to_back_select(s->flange2_torque_swings -
-        5.5 > 0.0, 6005.0, 9999.0);
     /* oscillation of M1_torque_ref */
-    const back_to_back_real M1_torque_ref_mean_before = back_to_back_select(s->running > 0.5, s->M1_torque_ref_mean,
-        0.0);
+    const back_to_back_real M1_torque_ref_mean_before = s->M1_torque_ref_mean;
     const back_to_back_real M1_torque_ref_swing = M1_applied - M1_torque_ref_mean_before;
     s->M1_torque_ref_mean = M1_torque_ref_mean_before + M1_torque_ref_swing * s->mean_share;
-    s->M1_torque_ref_swings = back_to_back_select(s->running > 0.5, s->M1_torque_ref_swings, 0.0);
     back_to_back_swings(M1_torque_ref_swing, p->M1_torque_ref_oscillation_limit, s->M1_torque_ref_side,
         s->M1_torque_ref_swings, s->forgotten_swings, &s->M1_torque_ref_side, &s->M1_torque_ref_swings);
-    const back_to_back_real cause_fault_M1_torque_ref_oscillation = back_to_back_select(s->M1_torque_ref_swings -
-        5.5 > 0.0, 8001.0, 9999.0);
     /* oscillation of M2_torque_ref */
-    const back_to_back_real M2_torque_ref_mean_before = back_to_back_select(s->running > 0.5, s->M2_torque_ref_mean,
-        0.0);
+    const back_to_back_real M2_torque_ref_mean_before = s->M2_torque_ref_mean;
     const back_to_back_real M2_torque_ref_swing = M2_applied - M2_torque_ref_mean_before;
     s->M2_torque_ref_mean = M2_torque_ref_mean_before + M2_torque_ref_swing * s->mean_share;
-    s->M2_torque_ref_swings = back_to_back_select(s->running > 0.5, s->M2_torque_ref_swings, 0.0);
     back_to_back_swings(M2_torque_ref_swing, p->M2_torque_ref_oscillation_limit, s->M2_torque_ref_side,
         s->M2_torque_ref_swings, s->forgotten_swings, &s->M2_torque_ref_side, &s->M2_torque_ref_swings);
-    const back_to_back_real cause_fault_M2_torque_ref_oscillation = back_to_back_select(s->M2_torque_ref_swings -
-        5.5 > 0.0, 8002.0, 9999.0);
     /* the first fault is latched */
     const back_to_back_real cause_of_watching =
-        back_to_back_min(back_to_back_min(back_to_back_min(back_to_back_min(cause_fault_M1_speed_disagreement,
-        cause_fault_M1_speed_frozen), back_to_back_min(cause_fault_M1_torque_ref_oscillation,
-        cause_fault_M2_speed_disagreement)), back_to_back_min(back_to_back_min(cause_fault_M2_speed_frozen,
-        cause_fault_M2_torque_ref_oscillation), back_to_back_min(cause_fault_flange1_torque_frozen,
-        cause_fault_flange1_torque_oscillation))), back_to_back_min(cause_fault_flange2_torque_frozen,
-        cause_fault_flange2_torque_oscillation));
-    s->fault = back_to_back_select(s->fault > 0.5, s->fault, back_to_back_select(cause_of_watching > 9998.0, 0.0,
-        cause_of_watching));
+        !(M1_difference <= p->M1_frozen_limit || s->M1_speed_still_time <= p->frozen_time) ? 3003.0 :
+        !(M1_difference <= p->M1_frozen_limit || s->flange1_torque_still_time <= p->frozen_time ||
+        back_to_back_abs(M1_applied - s->flange1_torque_command) <= s->M1_moved_torque) ? 3004.0 :
+        !(M2_difference <= p->M2_frozen_limit || s->flange2_torque_still_time <= p->frozen_time ||
+        back_to_back_abs(M2_applied - s->flange2_torque_command) <= s->M2_moved_torque) ? 3005.0 :
+        !(M2_difference <= p->M2_frozen_limit || s->M2_speed_still_time <= p->frozen_time) ? 3006.0 :
+        !(s->M1_disagreement_time <= s->bridged_time) ? 5003.0 :
+        !(s->M2_disagreement_time <= s->bridged_time) ? 5006.0 :
+        !(s->flange1_torque_swings <= 5.5) ? 6004.0 :
+        !(s->flange2_torque_swings <= 5.5) ? 6005.0 :
+        !(s->M1_torque_ref_swings <= 5.5) ? 8001.0 :
+        !(s->M2_torque_ref_swings <= 5.5) ? 8002.0 :
+        0.0;
+    s->fault = back_to_back_select(s->fault > 0.5, s->fault, cause_of_watching);
     /* limit of the rate */
-    const back_to_back_real M2_speed_ref_before = back_to_back_select(s->running > 0.5, s->M2_speed_ref_limited,
-        s->M2_speed_held);
+    const back_to_back_real M2_speed_ref_before = s->M2_speed_ref_limited;
     s->M2_speed_ref_limited = M2_speed_ref_before + back_to_back_max(-s->M2_speed_ref_step,
         back_to_back_min(s->M2_speed_ref_step, -M2_speed_ref_before + s->M2_speed_ref_held));
     const back_to_back_real M2_speed_error = -s->M2_speed_held + s->M2_speed_ref_limited;
@@ -546,8 +521,8 @@ back_to_back_controller_status back_to_back_controller_step(back_to_back_control
     /* so that a switch does not jump */
     const back_to_back_real M2_given_away = M2_compensation * (load_compensation_before - s->load_compensation_now);
     /* PI speed control (5.84) */
-    const back_to_back_real M2_integral_before = back_to_back_select(p->M2_speed_integral_gain > 0.0, M2_given_away,
-        0.0) + back_to_back_select(s->running > 0.5, s->M2_speed_integral, 0.0);
+    const back_to_back_real M2_integral_before = s->M2_speed_integral +
+        back_to_back_select(p->M2_speed_integral_gain > 0.0, M2_given_away, 0.0);
     const back_to_back_real M2_asked = M2_integral_before + M2_speed_error * p->M2_speed_gain;
     const back_to_back_real M2_wanted = M2_asked + M2_compensation * s->load_compensation_now;
     /* torque-speed envelope */
@@ -561,22 +536,28 @@ back_to_back_controller_status back_to_back_controller_step(back_to_back_control
     const back_to_back_real M2_net = M2_command - M2_compensation;
     /* testing torque from the sensors (5.95), (5.96), (5.98) */
     const back_to_back_real flange1_torque_estimate = s->M1_unread_M2 * M2_net + s->flange1_torque_held;
+    if (s->running <= 0.5) {
+        /* the first step, and the first one after a fault, starts anew */
+        s->flange1_torque_ref_limited = flange1_torque_estimate;
+    }
     /* limit of the rate */
-    const back_to_back_real flange1_torque_ref_before = back_to_back_select(s->running > 0.5,
-        s->flange1_torque_ref_limited, flange1_torque_estimate);
+    const back_to_back_real flange1_torque_ref_before = s->flange1_torque_ref_limited;
     s->flange1_torque_ref_limited = flange1_torque_ref_before + back_to_back_max(-s->flange1_torque_ref_step,
         back_to_back_min(s->flange1_torque_ref_step, -flange1_torque_ref_before + s->flange1_torque_ref_held));
+    if (s->running <= 0.5) {
+        /* the first step, and the first one after a fault, starts anew */
+        s->M1_model_torque = flange1_torque_estimate;
+    }
     /* torque model (5.57), (5.76) */
-    const back_to_back_real M1_model_before = back_to_back_select(s->running > 0.5, s->M1_model_torque,
-        flange1_torque_estimate);
-    const back_to_back_real M1_rate_before = back_to_back_select(s->running > 0.5, s->M1_model_rate, 0.0);
+    const back_to_back_real M1_model_before = s->M1_model_torque;
+    const back_to_back_real M1_rate_before = s->M1_model_rate;
     s->M1_model_rate = -s->M1_model_drag * M1_rate_before + s->M1_model_pull * (-M1_model_before +
         s->flange1_torque_ref_limited) + M1_rate_before;
     s->M1_model_torque = M1_model_before + s->M1_model_rate * p->sample_time;
     const back_to_back_real M1_torque_error = s->M1_model_torque * p->M1_torque_model - flange1_torque_estimate +
         s->flange1_torque_ref_limited * (1.0 - p->M1_torque_model);
     /* torque control (5.99) */
-    const back_to_back_real M1_integral_before = back_to_back_select(s->running > 0.5, s->M1_torque_integral, 0.0);
+    const back_to_back_real M1_integral_before = s->M1_torque_integral;
     const back_to_back_real M1_virtual = p->M1_feedforward * s->flange1_torque_ref_limited + M1_integral_before +
         M1_torque_error * p->M1_torque_gain;
     /* active damping (5.62), (5.78) */
@@ -598,37 +579,38 @@ back_to_back_controller_status back_to_back_controller_step(back_to_back_control
     back_to_back_real M1_released;
     back_to_back_real M1_released_sound;
     back_to_back_guard(M1_command, s->M1_largest, s->M1_last, &M1_released, &M1_released_sound);
-    const back_to_back_real cause_fault_M1_torque_ref = back_to_back_select(M1_released_sound < 1.0, 7001.0,
-        9999.0);
     back_to_back_real M2_released;
     back_to_back_real M2_released_sound;
     back_to_back_guard(M2_command, s->M2_largest, s->M2_last, &M2_released, &M2_released_sound);
-    const back_to_back_real cause_fault_M2_torque_ref = back_to_back_select(M2_released_sound < 1.0, 7002.0,
-        9999.0);
     /* the first fault is latched */
-    const back_to_back_real cause_of_commands = back_to_back_min(cause_fault_M1_torque_ref,
-        cause_fault_M2_torque_ref);
-    s->fault = back_to_back_select(s->fault > 0.5, s->fault, back_to_back_select(cause_of_commands > 9998.0, 0.0,
-        cause_of_commands));
+    const back_to_back_real cause_of_commands =
+        !(M1_released_sound > 0.5) ? 7001.0 :
+        !(M2_released_sound > 0.5) ? 7002.0 :
+        0.0;
+    s->fault = back_to_back_select(s->fault > 0.5, s->fault, cause_of_commands);
     /* ramp of the torques */
     const back_to_back_real authority_wanted = s->authority + back_to_back_select(s->fault > 0.5, -s->ramp_step,
         s->ramp_step);
     back_to_back_share(authority_wanted, &s->authority);
     s->running = back_to_back_select(s->fault > 0.5, 0.0, 1.0);
-    s->M1_last = back_to_back_select(s->fault > 0.5, s->M1_last, M1_released);
+    if (s->fault <= 0.5) {
+        s->M1_last = M1_released;
+        s->M2_last = M2_released;
+    }
     out->M1_torque_ref = back_to_back_max(-3050.0, back_to_back_min(3050.0, s->M1_last * s->authority));
-    s->M2_last = back_to_back_select(s->fault > 0.5, s->M2_last, M2_released);
     out->M2_torque_ref = back_to_back_max(-3050.0, back_to_back_min(3050.0, s->M2_last * s->authority));
     /* The last line of defence, should parameters have been changed without an update. */
-    if (!back_to_back_is_finite(out->M1_torque_ref)) {
-        out->M1_torque_ref = 0.0;
-        s->fault = s->fault > 0.0 ? s->fault : BACK_TO_BACK_REAL(back_to_back_controller_fault_M1_torque_ref);
-        s->running = 0.0;
-    }
-    if (!back_to_back_is_finite(out->M2_torque_ref)) {
-        out->M2_torque_ref = 0.0;
-        s->fault = s->fault > 0.0 ? s->fault : BACK_TO_BACK_REAL(back_to_back_controller_fault_M2_torque_ref);
-        s->running = 0.0;
+    if (!back_to_back_is_finite(out->M1_torque_ref + out->M2_torque_ref)) {
+        if (!back_to_back_is_finite(out->M1_torque_ref)) {
+            out->M1_torque_ref = 0.0;
+            s->fault = s->fault > 0.0 ? s->fault : BACK_TO_BACK_REAL(back_to_back_controller_fault_M1_torque_ref);
+            s->running = 0.0;
+        }
+        if (!back_to_back_is_finite(out->M2_torque_ref)) {
+            out->M2_torque_ref = 0.0;
+            s->fault = s->fault > 0.0 ? s->fault : BACK_TO_BACK_REAL(back_to_back_controller_fault_M2_torque_ref);
+            s->running = 0.0;
+        }
     }
     return (back_to_back_controller_status)s->fault;
 }

@@ -7,6 +7,7 @@
 #ifndef BACK_TO_BACK_SUPPORT_H
 #define BACK_TO_BACK_SUPPORT_H
 
+#include <math.h>
 #include <stddef.h>
 
 typedef double back_to_back_real;
@@ -18,7 +19,7 @@ typedef double back_to_back_real;
 
 static inline back_to_back_real back_to_back_min(back_to_back_real a, back_to_back_real b) { return a < b ? a : b; }
 static inline back_to_back_real back_to_back_max(back_to_back_real a, back_to_back_real b) { return a > b ? a : b; }
-static inline back_to_back_real back_to_back_abs(back_to_back_real a) { return back_to_back_max(-a, a); }
+static inline back_to_back_real back_to_back_abs(back_to_back_real a) { return fabs(a); }
 /* Both are computed before, so that a step takes nearly the same time whichever is chosen. */
 static inline back_to_back_real back_to_back_select(int condition, back_to_back_real a, back_to_back_real b)
 {
@@ -144,19 +145,15 @@ static inline void back_to_back_guard(back_to_back_real value, back_to_back_real
 {
     const int good = back_to_back_abs(value) <= bound; /* false for NaN */
     *held = back_to_back_select(good, value, before);
-    *sound = (back_to_back_real)good;
+    *sound = back_to_back_select(good, 1.0, 0.0);
 }
 
-/* For how long a signal was not sound: a sound step takes back a bad one. `late` is 1 if that is longer than allowed. */
+/* For how long a signal was not sound: a sound step takes back a bad one. No more than `allowed` and a step is counted. */
 static inline void back_to_back_lasting(back_to_back_real sound, back_to_back_real time, back_to_back_real step, back_to_back_real allowed,
-    back_to_back_real *after, back_to_back_real *late)
+    back_to_back_real *after)
 {
-    const back_to_back_real longer = time + step;
-    const back_to_back_real left = back_to_back_min(time, allowed) - step;
-    const int good = sound > 0.5;
-    const int over = !(longer <= allowed + 0.5 * step); /* 1 for NaN */
-    *after = back_to_back_select(good, back_to_back_max(left, 0.0), longer);
-    *late = (back_to_back_real)(over & !good);
+    const back_to_back_real counted = back_to_back_min(time, allowed);
+    *after = back_to_back_select(sound > 0.5, back_to_back_max(counted, step) - step, counted + step);
 }
 
 /* For how long `value` has been the same to the last bit. */
@@ -172,9 +169,8 @@ static inline void back_to_back_swings(back_to_back_real value, back_to_back_rea
 {
     const back_to_back_real above = back_to_back_select(value > limit, 1.0, side);
     const back_to_back_real now = back_to_back_select(value < -limit, -1.0, above);
-    const int changed = back_to_back_abs(now - side) > 0.0;
     *after = now;
-    *swings = back_to_back_max(count - decay, 0.0) + (back_to_back_real)changed;
+    *swings = back_to_back_max(count - decay, 0.0) + back_to_back_min(back_to_back_abs(now - side), 1.0);
 }
 
 /* `value` limited to 0 to 1; 0 for NaN. */
@@ -184,17 +180,25 @@ static inline void back_to_back_share(back_to_back_real value, back_to_back_real
 }
 
 /*
- * Function that is linear between the n increasing points of `grid` and constant beyond them; slope[k] holds from
- * grid[k] on, `first` is the value at grid[0]. Always takes the same time.
+ * Function that is linear between the n increasing points of `grid` and constant beyond them: from grid[k] on it is
+ * level[k] + slope[k] * (value - grid[k]); slope[n - 1] is zero. Bisection without branches: always the same time.
  */
 static inline void back_to_back_lookup(int n, back_to_back_real value, const back_to_back_real *grid, const back_to_back_real *slope,
-    back_to_back_real first, back_to_back_real *result)
+    const back_to_back_real *level, back_to_back_real *result)
 {
-    back_to_back_real sum = first;
-    for (int k = 0; k + 1 < n; ++k) {
-        sum += slope[k] * back_to_back_min(back_to_back_max(value - grid[k], 0.0), grid[k + 1] - grid[k]);
+    const back_to_back_real *at = grid;
+    int count = n; /* a constant where this is called, so most of what follows is computed by the compiler */
+    at += (value >= at[count / 2]) * (count / 2), count -= count / 2;
+    at += (value >= at[count / 2]) * (count / 2), count -= count / 2;
+    at += (value >= at[count / 2]) * (count / 2), count -= count / 2;
+    at += (value >= at[count / 2]) * (count / 2), count -= count / 2;
+    at += (value >= at[count / 2]) * (count / 2), count -= count / 2;
+    at += (value >= at[count / 2]) * (count / 2), count -= count / 2;
+    while (count > 1) {
+        at += (value >= at[count / 2]) * (count / 2), count -= count / 2;
     }
-    *result = sum;
+    const ptrdiff_t k = at - grid;
+    *result = level[k] + slope[k] * back_to_back_max(value - grid[k], 0.0);
 }
 
 #endif

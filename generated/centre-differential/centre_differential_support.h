@@ -7,6 +7,7 @@
 #ifndef CENTRE_DIFFERENTIAL_SUPPORT_H
 #define CENTRE_DIFFERENTIAL_SUPPORT_H
 
+#include <math.h>
 #include <stddef.h>
 
 typedef double centre_differential_real;
@@ -18,7 +19,7 @@ typedef double centre_differential_real;
 
 static inline centre_differential_real centre_differential_min(centre_differential_real a, centre_differential_real b) { return a < b ? a : b; }
 static inline centre_differential_real centre_differential_max(centre_differential_real a, centre_differential_real b) { return a > b ? a : b; }
-static inline centre_differential_real centre_differential_abs(centre_differential_real a) { return centre_differential_max(-a, a); }
+static inline centre_differential_real centre_differential_abs(centre_differential_real a) { return fabs(a); }
 /* Both are computed before, so that a step takes nearly the same time whichever is chosen. */
 static inline centre_differential_real centre_differential_select(int condition, centre_differential_real a, centre_differential_real b)
 {
@@ -144,19 +145,15 @@ static inline void centre_differential_guard(centre_differential_real value, cen
 {
     const int good = centre_differential_abs(value) <= bound; /* false for NaN */
     *held = centre_differential_select(good, value, before);
-    *sound = (centre_differential_real)good;
+    *sound = centre_differential_select(good, 1.0, 0.0);
 }
 
-/* For how long a signal was not sound: a sound step takes back a bad one. `late` is 1 if that is longer than allowed. */
+/* For how long a signal was not sound: a sound step takes back a bad one. No more than `allowed` and a step is counted. */
 static inline void centre_differential_lasting(centre_differential_real sound, centre_differential_real time, centre_differential_real step, centre_differential_real allowed,
-    centre_differential_real *after, centre_differential_real *late)
+    centre_differential_real *after)
 {
-    const centre_differential_real longer = time + step;
-    const centre_differential_real left = centre_differential_min(time, allowed) - step;
-    const int good = sound > 0.5;
-    const int over = !(longer <= allowed + 0.5 * step); /* 1 for NaN */
-    *after = centre_differential_select(good, centre_differential_max(left, 0.0), longer);
-    *late = (centre_differential_real)(over & !good);
+    const centre_differential_real counted = centre_differential_min(time, allowed);
+    *after = centre_differential_select(sound > 0.5, centre_differential_max(counted, step) - step, counted + step);
 }
 
 /* For how long `value` has been the same to the last bit. */
@@ -172,9 +169,8 @@ static inline void centre_differential_swings(centre_differential_real value, ce
 {
     const centre_differential_real above = centre_differential_select(value > limit, 1.0, side);
     const centre_differential_real now = centre_differential_select(value < -limit, -1.0, above);
-    const int changed = centre_differential_abs(now - side) > 0.0;
     *after = now;
-    *swings = centre_differential_max(count - decay, 0.0) + (centre_differential_real)changed;
+    *swings = centre_differential_max(count - decay, 0.0) + centre_differential_min(centre_differential_abs(now - side), 1.0);
 }
 
 /* `value` limited to 0 to 1; 0 for NaN. */
@@ -184,17 +180,25 @@ static inline void centre_differential_share(centre_differential_real value, cen
 }
 
 /*
- * Function that is linear between the n increasing points of `grid` and constant beyond them; slope[k] holds from
- * grid[k] on, `first` is the value at grid[0]. Always takes the same time.
+ * Function that is linear between the n increasing points of `grid` and constant beyond them: from grid[k] on it is
+ * level[k] + slope[k] * (value - grid[k]); slope[n - 1] is zero. Bisection without branches: always the same time.
  */
 static inline void centre_differential_lookup(int n, centre_differential_real value, const centre_differential_real *grid, const centre_differential_real *slope,
-    centre_differential_real first, centre_differential_real *result)
+    const centre_differential_real *level, centre_differential_real *result)
 {
-    centre_differential_real sum = first;
-    for (int k = 0; k + 1 < n; ++k) {
-        sum += slope[k] * centre_differential_min(centre_differential_max(value - grid[k], 0.0), grid[k + 1] - grid[k]);
+    const centre_differential_real *at = grid;
+    int count = n; /* a constant where this is called, so most of what follows is computed by the compiler */
+    at += (value >= at[count / 2]) * (count / 2), count -= count / 2;
+    at += (value >= at[count / 2]) * (count / 2), count -= count / 2;
+    at += (value >= at[count / 2]) * (count / 2), count -= count / 2;
+    at += (value >= at[count / 2]) * (count / 2), count -= count / 2;
+    at += (value >= at[count / 2]) * (count / 2), count -= count / 2;
+    at += (value >= at[count / 2]) * (count / 2), count -= count / 2;
+    while (count > 1) {
+        at += (value >= at[count / 2]) * (count / 2), count -= count / 2;
     }
-    *result = sum;
+    const ptrdiff_t k = at - grid;
+    *result = level[k] + slope[k] * centre_differential_max(value - grid[k], 0.0);
 }
 
 #endif

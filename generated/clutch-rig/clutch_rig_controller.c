@@ -232,14 +232,19 @@ clutch_rig_controller_status clutch_rig_controller_update(clutch_rig_controller_
             return (clutch_rig_controller_status)(2000 + k);
         }
     }
+    s->bridged_time = p->hold_time + (0.5) * p->sample_time;
     s->switch_share = p->sample_time / p->switch_time;
     s->M1_taper_slope = 1.0 / p->M1_speed_taper;
     s->M1_taper_end = p->M1_speed_max / p->M1_speed_taper + 1.0;
+    s->M1_power = p->M1_speed_rated * p->M1_torque_max;
     s->M2_taper_slope = 1.0 / p->M2_speed_taper;
     s->M2_taper_end = p->M2_speed_max / p->M2_speed_taper + 1.0;
+    s->M2_power = p->M2_speed_rated * p->M2_torque_max;
     s->disagreement_share = p->disagreement_leak * p->sample_time;
     s->M1_per_step = p->sample_time / p->M1_inertia;
+    s->M1_moved_torque = 0.05 * p->M1_torque_max;
     s->M2_per_step = p->sample_time / p->M2_inertia;
+    s->M2_moved_torque = 0.05 * p->M2_torque_max;
     s->forgotten_swings = p->oscillation_frequency * p->sample_time;
     s->mean_share = 6.2832 * p->oscillation_frequency * p->sample_time;
     s->M1_speed_ref_step = p->M1_speed_ref_rate * p->sample_time;
@@ -262,97 +267,104 @@ clutch_rig_controller_status clutch_rig_controller_step(clutch_rig_controller_st
     clutch_rig_real M1_speed_ref_sound;
     clutch_rig_guard(in->M1_speed_ref, p->M1_speed_ref_plausible, s->M1_speed_ref_held, &s->M1_speed_ref_held,
         &M1_speed_ref_sound);
-    clutch_rig_real M1_speed_ref_lost;
     clutch_rig_lasting(M1_speed_ref_sound, s->M1_speed_ref_bad_time, p->sample_time, p->hold_time,
-        &s->M1_speed_ref_bad_time, &M1_speed_ref_lost);
-    const clutch_rig_real cause_fault_M1_speed_ref = clutch_rig_select(M1_speed_ref_lost > 0.0, 1.0, 9999.0);
+        &s->M1_speed_ref_bad_time);
     clutch_rig_real M2_speed_ref_sound;
     clutch_rig_guard(in->M2_speed_ref, p->M2_speed_ref_plausible, s->M2_speed_ref_held, &s->M2_speed_ref_held,
         &M2_speed_ref_sound);
-    clutch_rig_real M2_speed_ref_lost;
     clutch_rig_lasting(M2_speed_ref_sound, s->M2_speed_ref_bad_time, p->sample_time, p->hold_time,
-        &s->M2_speed_ref_bad_time, &M2_speed_ref_lost);
-    const clutch_rig_real cause_fault_M2_speed_ref = clutch_rig_select(M2_speed_ref_lost > 0.0, 2.0, 9999.0);
+        &s->M2_speed_ref_bad_time);
     clutch_rig_real M1_speed_sound;
     clutch_rig_guard(in->M1_speed, p->M1_speed_plausible, s->M1_speed_held, &s->M1_speed_held, &M1_speed_sound);
-    clutch_rig_real M1_speed_lost;
-    clutch_rig_lasting(M1_speed_sound, s->M1_speed_bad_time, p->sample_time, p->hold_time, &s->M1_speed_bad_time,
-        &M1_speed_lost);
-    const clutch_rig_real cause_fault_M1_speed = clutch_rig_select(M1_speed_lost > 0.0, 3.0, 9999.0);
+    clutch_rig_lasting(M1_speed_sound, s->M1_speed_bad_time, p->sample_time, p->hold_time, &s->M1_speed_bad_time);
     clutch_rig_real flange1_torque_sound;
     clutch_rig_guard(in->flange1_torque, p->flange1_torque_plausible, s->flange1_torque_held,
         &s->flange1_torque_held, &flange1_torque_sound);
-    clutch_rig_real flange1_torque_lost;
     clutch_rig_lasting(flange1_torque_sound, s->flange1_torque_bad_time, p->sample_time, p->hold_time,
-        &s->flange1_torque_bad_time, &flange1_torque_lost);
-    const clutch_rig_real cause_fault_flange1_torque = clutch_rig_select(flange1_torque_lost > 0.0, 4.0, 9999.0);
+        &s->flange1_torque_bad_time);
     clutch_rig_real flange2_torque_sound;
     clutch_rig_guard(in->flange2_torque, p->flange2_torque_plausible, s->flange2_torque_held,
         &s->flange2_torque_held, &flange2_torque_sound);
-    clutch_rig_real flange2_torque_lost;
     clutch_rig_lasting(flange2_torque_sound, s->flange2_torque_bad_time, p->sample_time, p->hold_time,
-        &s->flange2_torque_bad_time, &flange2_torque_lost);
-    const clutch_rig_real cause_fault_flange2_torque = clutch_rig_select(flange2_torque_lost > 0.0, 5.0, 9999.0);
+        &s->flange2_torque_bad_time);
     clutch_rig_real M2_speed_sound;
     clutch_rig_guard(in->M2_speed, p->M2_speed_plausible, s->M2_speed_held, &s->M2_speed_held, &M2_speed_sound);
-    clutch_rig_real M2_speed_lost;
-    clutch_rig_lasting(M2_speed_sound, s->M2_speed_bad_time, p->sample_time, p->hold_time, &s->M2_speed_bad_time,
-        &M2_speed_lost);
-    const clutch_rig_real cause_fault_M2_speed = clutch_rig_select(M2_speed_lost > 0.0, 6.0, 9999.0);
+    clutch_rig_lasting(M2_speed_sound, s->M2_speed_bad_time, p->sample_time, p->hold_time, &s->M2_speed_bad_time);
     /* overspeed */
     const clutch_rig_real M1_slow_enough = clutch_rig_select(p->M1_overspeed >= clutch_rig_abs(s->M1_speed_held),
         1.0, 0.0);
-    clutch_rig_real M1_too_fast;
-    clutch_rig_lasting(M1_slow_enough, s->M1_overspeed_time, p->sample_time, p->hold_time, &s->M1_overspeed_time,
-        &M1_too_fast);
-    const clutch_rig_real cause_fault_M1_speed_overspeed = clutch_rig_select(M1_too_fast > 0.0, 4003.0, 9999.0);
+    clutch_rig_lasting(M1_slow_enough, s->M1_overspeed_time, p->sample_time, p->hold_time, &s->M1_overspeed_time);
     const clutch_rig_real M2_slow_enough = clutch_rig_select(p->M2_overspeed >= clutch_rig_abs(s->M2_speed_held),
         1.0, 0.0);
-    clutch_rig_real M2_too_fast;
-    clutch_rig_lasting(M2_slow_enough, s->M2_overspeed_time, p->sample_time, p->hold_time, &s->M2_overspeed_time,
-        &M2_too_fast);
-    const clutch_rig_real cause_fault_M2_speed_overspeed = clutch_rig_select(M2_too_fast > 0.0, 4006.0, 9999.0);
+    clutch_rig_lasting(M2_slow_enough, s->M2_overspeed_time, p->sample_time, p->hold_time, &s->M2_overspeed_time);
     /* reset on request, when the cause is gone */
     const clutch_rig_real reset_pressed = clutch_rig_select(clutch_rig_abs(in->reset - 1.0) <= 0.5, 1.0, 0.0);
-    const clutch_rig_real inputs_sound = clutch_rig_min(clutch_rig_min(clutch_rig_min(M1_slow_enough,
-        M1_speed_ref_sound), clutch_rig_min(M1_speed_sound, M2_slow_enough)),
-        clutch_rig_min(clutch_rig_min(M2_speed_ref_sound, M2_speed_sound), clutch_rig_min(flange1_torque_sound,
-        flange2_torque_sound)));
-    const clutch_rig_real latched = clutch_rig_select(s->fault > 0.5, 1.0, 0.0);
-    s->reset_request = inputs_sound * latched * (1.0 - s->refused) * clutch_rig_max(s->reset_request,
-        -s->reset_before + reset_pressed);
+    s->reset_request = clutch_rig_select(s->fault > 0.5, clutch_rig_select(p->M1_overspeed >=
+        clutch_rig_abs(s->M1_speed_held) && p->M1_speed_plausible >= clutch_rig_abs(in->M1_speed) &&
+        p->M1_speed_ref_plausible >= clutch_rig_abs(in->M1_speed_ref) && p->M2_overspeed >=
+        clutch_rig_abs(s->M2_speed_held) && p->M2_speed_plausible >= clutch_rig_abs(in->M2_speed) &&
+        p->M2_speed_ref_plausible >= clutch_rig_abs(in->M2_speed_ref) && p->flange1_torque_plausible >=
+        clutch_rig_abs(in->flange1_torque) && p->flange2_torque_plausible >= clutch_rig_abs(in->flange2_torque),
+        (1.0 - s->refused) * clutch_rig_max(s->reset_request, -s->reset_before + reset_pressed), 0.0), 0.0);
     s->reset_before = reset_pressed;
     s->fault = s->fault * (1.0 - clutch_rig_select(s->authority <= 0.0, s->reset_request, 0.0));
     s->reset_request = clutch_rig_select(s->fault > 0.5, s->reset_request, 0.0);
     /* the first fault is latched */
-    const clutch_rig_real cause_of_inputs = clutch_rig_min(clutch_rig_min(clutch_rig_min(cause_fault_M1_speed,
-        cause_fault_M1_speed_overspeed), clutch_rig_min(cause_fault_M1_speed_ref, cause_fault_M2_speed)),
-        clutch_rig_min(clutch_rig_min(cause_fault_M2_speed_overspeed, cause_fault_M2_speed_ref),
-        clutch_rig_min(cause_fault_flange1_torque, cause_fault_flange2_torque)));
-    s->fault = clutch_rig_select(s->fault > 0.5, s->fault, clutch_rig_select(cause_of_inputs > 9998.0, 0.0,
-        cause_of_inputs));
+    const clutch_rig_real cause_of_inputs =
+        !(s->M1_speed_ref_bad_time <= s->bridged_time) ? 1.0 :
+        !(s->M2_speed_ref_bad_time <= s->bridged_time) ? 2.0 :
+        !(s->M1_speed_bad_time <= s->bridged_time) ? 3.0 :
+        !(s->flange1_torque_bad_time <= s->bridged_time) ? 4.0 :
+        !(s->flange2_torque_bad_time <= s->bridged_time) ? 5.0 :
+        !(s->M2_speed_bad_time <= s->bridged_time) ? 6.0 :
+        !(s->M1_overspeed_time <= s->bridged_time) ? 4003.0 :
+        !(s->M2_overspeed_time <= s->bridged_time) ? 4006.0 :
+        0.0;
+    s->fault = clutch_rig_select(s->fault > 0.5, s->fault, cause_of_inputs);
+    if (s->running <= 0.5) {
+        /* the first step, and the first one after a fault, starts anew */
+        s->load_compensation_now = p->load_compensation;
+        s->M1_integrated = s->M1_speed_held;
+        s->M1_speed_still_time = 0.0;
+        s->flange1_torque_still_time = 0.0;
+        s->M2_integrated = s->M2_speed_held;
+        s->M2_speed_still_time = 0.0;
+        s->flange2_torque_still_time = 0.0;
+        s->flange1_torque_mean = s->flange1_torque_held;
+        s->flange1_torque_swings = 0.0;
+        s->flange2_torque_mean = s->flange2_torque_held;
+        s->flange2_torque_swings = 0.0;
+        s->M1_torque_ref_mean = 0.0;
+        s->M1_torque_ref_swings = 0.0;
+        s->M2_torque_ref_mean = 0.0;
+        s->M2_torque_ref_swings = 0.0;
+        s->M1_speed_ref_limited = s->M1_speed_held;
+        s->M2_speed_ref_limited = s->M2_speed_held;
+        s->M1_speed_integral = 0.0;
+        s->M2_speed_integral = 0.0;
+    }
     /* load_compensation follows its parameter along a ramp */
-    const clutch_rig_real load_compensation_before = clutch_rig_select(s->running > 0.5, s->load_compensation_now,
-        p->load_compensation);
+    const clutch_rig_real load_compensation_before = s->load_compensation_now;
     const clutch_rig_real load_compensation_distance = p->load_compensation - load_compensation_before;
-    const clutch_rig_real load_compensation_moved = clutch_rig_select(p->load_compensation !=
-        s->load_compensation_target, clutch_rig_max(s->switch_share * clutch_rig_abs(load_compensation_distance),
-        1e-06 * clutch_rig_abs(p->load_compensation) + 1e-06 * clutch_rig_abs(load_compensation_before)),
-        s->load_compensation_step);
-    s->load_compensation_now = clutch_rig_select(load_compensation_distance > load_compensation_moved,
-        load_compensation_before + load_compensation_moved, clutch_rig_select(load_compensation_distance <
-        -load_compensation_moved, load_compensation_before - load_compensation_moved, p->load_compensation));
-    s->load_compensation_step = clutch_rig_select(load_compensation_moved <
-        clutch_rig_abs(load_compensation_distance), load_compensation_moved, 0.0);
+    if (p->load_compensation != s->load_compensation_target) {
+        s->load_compensation_step = clutch_rig_max(s->switch_share * clutch_rig_abs(load_compensation_distance), 1e-06 *
+            clutch_rig_abs(p->load_compensation) + 1e-06 * clutch_rig_abs(load_compensation_before));
+    }
+    s->load_compensation_now = clutch_rig_select(s->load_compensation_step <
+        clutch_rig_abs(load_compensation_distance), load_compensation_before +
+        clutch_rig_max(-s->load_compensation_step, clutch_rig_min(load_compensation_distance,
+        s->load_compensation_step)), p->load_compensation);
+    s->load_compensation_step = clutch_rig_select(s->load_compensation_step <
+        clutch_rig_abs(load_compensation_distance), s->load_compensation_step, 0.0);
     s->load_compensation_target = p->load_compensation;
     /* torque-speed envelope, Figure 7.1 */
-    const clutch_rig_real M1_available = p->M1_speed_rated * p->M1_torque_max / clutch_rig_max(p->M1_speed_rated,
+    const clutch_rig_real M1_available = s->M1_power / clutch_rig_max(p->M1_speed_rated,
         clutch_rig_abs(s->M1_speed_held));
     const clutch_rig_real M1_least = -M1_available * clutch_rig_max(0.0, clutch_rig_min(1.0, s->M1_speed_held *
         s->M1_taper_slope + s->M1_taper_end));
     const clutch_rig_real M1_most = M1_available * clutch_rig_max(0.0, clutch_rig_min(1.0, -s->M1_speed_held *
         s->M1_taper_slope + s->M1_taper_end));
-    const clutch_rig_real M2_available = p->M2_speed_rated * p->M2_torque_max / clutch_rig_max(p->M2_speed_rated,
+    const clutch_rig_real M2_available = s->M2_power / clutch_rig_max(p->M2_speed_rated,
         clutch_rig_abs(s->M2_speed_held));
     const clutch_rig_real M2_least = -M2_available * clutch_rig_max(0.0, clutch_rig_min(1.0, s->M2_speed_held *
         s->M2_taper_slope + s->M2_taper_end));
@@ -362,122 +374,86 @@ clutch_rig_controller_status clutch_rig_controller_step(clutch_rig_controller_st
     const clutch_rig_real M1_applied = s->M1_last * s->authority;
     const clutch_rig_real M2_applied = s->M2_last * s->authority;
     /* speed from the torques on the rotor */
-    const clutch_rig_real M1_integrated_before = clutch_rig_select(s->running > 0.5, s->M1_integrated,
-        s->M1_speed_held);
+    const clutch_rig_real M1_integrated_before = s->M1_integrated;
     s->M1_integrated = M1_integrated_before + s->M1_per_step * (M1_applied - s->flange1_torque_held) +
         s->disagreement_share * (-M1_integrated_before + s->M1_speed_held);
     const clutch_rig_real M1_difference = clutch_rig_abs(s->M1_integrated - s->M1_speed_held);
     /* speed against torques */
     const clutch_rig_real M1_agrees = clutch_rig_select(M1_difference <= p->M1_disagreement_limit, 1.0, 0.0);
-    clutch_rig_real M1_disagrees;
-    clutch_rig_lasting(M1_agrees, s->M1_disagreement_time, p->sample_time, p->hold_time, &s->M1_disagreement_time,
-        &M1_disagrees);
+    clutch_rig_lasting(M1_agrees, s->M1_disagreement_time, p->sample_time, p->hold_time, &s->M1_disagreement_time);
     /* M1_speed to the last bit */
-    s->M1_speed_still_time = clutch_rig_select(s->running > 0.5, s->M1_speed_still_time, 0.0);
     clutch_rig_still(s->M1_speed_held, s->M1_speed_before, s->M1_speed_still_time, p->sample_time,
         &s->M1_speed_still_time);
     s->M1_speed_before = s->M1_speed_held;
-    const clutch_rig_real cause_fault_M1_speed_frozen = clutch_rig_select(clutch_rig_min(M1_difference -
-        p->M1_frozen_limit, s->M1_speed_still_time - p->frozen_time) > 0.0, 3003.0, 9999.0);
-    const clutch_rig_real cause_fault_M1_speed_disagreement = clutch_rig_select(M1_disagrees > 0.0, 5003.0, 9999.0);
     /* flange1_torque to the last bit */
-    s->flange1_torque_still_time = clutch_rig_select(s->running > 0.5, s->flange1_torque_still_time, 0.0);
     clutch_rig_still(s->flange1_torque_held, s->flange1_torque_before, s->flange1_torque_still_time, p->sample_time,
         &s->flange1_torque_still_time);
     s->flange1_torque_before = s->flange1_torque_held;
     s->flange1_torque_command = clutch_rig_select(s->flange1_torque_still_time > 0.0, s->flange1_torque_command,
         M1_applied);
-    const clutch_rig_real cause_fault_flange1_torque_frozen =
-        clutch_rig_select(clutch_rig_min(clutch_rig_min(M1_difference - p->M1_frozen_limit,
-        s->flange1_torque_still_time - p->frozen_time), -0.05 * p->M1_torque_max + clutch_rig_abs(M1_applied -
-        s->flange1_torque_command)) > 0.0, 3004.0, 9999.0);
     /* speed from the torques on the rotor */
-    const clutch_rig_real M2_integrated_before = clutch_rig_select(s->running > 0.5, s->M2_integrated,
-        s->M2_speed_held);
+    const clutch_rig_real M2_integrated_before = s->M2_integrated;
     s->M2_integrated = M2_integrated_before + s->M2_per_step * (M2_applied + s->flange2_torque_held) +
         s->disagreement_share * (-M2_integrated_before + s->M2_speed_held);
     const clutch_rig_real M2_difference = clutch_rig_abs(s->M2_integrated - s->M2_speed_held);
     /* speed against torques */
     const clutch_rig_real M2_agrees = clutch_rig_select(M2_difference <= p->M2_disagreement_limit, 1.0, 0.0);
-    clutch_rig_real M2_disagrees;
-    clutch_rig_lasting(M2_agrees, s->M2_disagreement_time, p->sample_time, p->hold_time, &s->M2_disagreement_time,
-        &M2_disagrees);
+    clutch_rig_lasting(M2_agrees, s->M2_disagreement_time, p->sample_time, p->hold_time, &s->M2_disagreement_time);
     /* M2_speed to the last bit */
-    s->M2_speed_still_time = clutch_rig_select(s->running > 0.5, s->M2_speed_still_time, 0.0);
     clutch_rig_still(s->M2_speed_held, s->M2_speed_before, s->M2_speed_still_time, p->sample_time,
         &s->M2_speed_still_time);
     s->M2_speed_before = s->M2_speed_held;
-    const clutch_rig_real cause_fault_M2_speed_frozen = clutch_rig_select(clutch_rig_min(M2_difference -
-        p->M2_frozen_limit, s->M2_speed_still_time - p->frozen_time) > 0.0, 3006.0, 9999.0);
-    const clutch_rig_real cause_fault_M2_speed_disagreement = clutch_rig_select(M2_disagrees > 0.0, 5006.0, 9999.0);
     /* flange2_torque to the last bit */
-    s->flange2_torque_still_time = clutch_rig_select(s->running > 0.5, s->flange2_torque_still_time, 0.0);
     clutch_rig_still(s->flange2_torque_held, s->flange2_torque_before, s->flange2_torque_still_time, p->sample_time,
         &s->flange2_torque_still_time);
     s->flange2_torque_before = s->flange2_torque_held;
     s->flange2_torque_command = clutch_rig_select(s->flange2_torque_still_time > 0.0, s->flange2_torque_command,
         M2_applied);
-    const clutch_rig_real cause_fault_flange2_torque_frozen =
-        clutch_rig_select(clutch_rig_min(clutch_rig_min(M2_difference - p->M2_frozen_limit,
-        s->flange2_torque_still_time - p->frozen_time), -0.05 * p->M2_torque_max + clutch_rig_abs(M2_applied -
-        s->flange2_torque_command)) > 0.0, 3005.0, 9999.0);
     /* oscillation of flange1_torque */
-    const clutch_rig_real flange1_torque_mean_before = clutch_rig_select(s->running > 0.5, s->flange1_torque_mean,
-        s->flange1_torque_held);
+    const clutch_rig_real flange1_torque_mean_before = s->flange1_torque_mean;
     const clutch_rig_real flange1_torque_swing = s->flange1_torque_held - flange1_torque_mean_before;
     s->flange1_torque_mean = flange1_torque_mean_before + flange1_torque_swing * s->mean_share;
-    s->flange1_torque_swings = clutch_rig_select(s->running > 0.5, s->flange1_torque_swings, 0.0);
     clutch_rig_swings(flange1_torque_swing, p->flange1_torque_oscillation_limit, s->flange1_torque_side,
         s->flange1_torque_swings, s->forgotten_swings, &s->flange1_torque_side, &s->flange1_torque_swings);
-    const clutch_rig_real cause_fault_flange1_torque_oscillation = clutch_rig_select(s->flange1_torque_swings - 5.5
-        > 0.0, 6004.0, 9999.0);
     /* oscillation of flange2_torque */
-    const clutch_rig_real flange2_torque_mean_before = clutch_rig_select(s->running > 0.5, s->flange2_torque_mean,
-        s->flange2_torque_held);
+    const clutch_rig_real flange2_torque_mean_before = s->flange2_torque_mean;
     const clutch_rig_real flange2_torque_swing = s->flange2_torque_held - flange2_torque_mean_before;
     s->flange2_torque_mean = flange2_torque_mean_before + flange2_torque_swing * s->mean_share;
-    s->flange2_torque_swings = clutch_rig_select(s->running > 0.5, s->flange2_torque_swings, 0.0);
     clutch_rig_swings(flange2_torque_swing, p->flange2_torque_oscillation_limit, s->flange2_torque_side,
         s->flange2_torque_swings, s->forgotten_swings, &s->flange2_torque_side, &s->flange2_torque_swings);
-    const clutch_rig_real cause_fault_flange2_torque_oscillation = clutch_rig_select(s->flange2_torque_swings - 5.5
-        > 0.0, 6005.0, 9999.0);
     /* oscillation of M1_torque_ref */
-    const clutch_rig_real M1_torque_ref_mean_before = clutch_rig_select(s->running > 0.5, s->M1_torque_ref_mean,
-        0.0);
+    const clutch_rig_real M1_torque_ref_mean_before = s->M1_torque_ref_mean;
     const clutch_rig_real M1_torque_ref_swing = M1_applied - M1_torque_ref_mean_before;
     s->M1_torque_ref_mean = M1_torque_ref_mean_before + M1_torque_ref_swing * s->mean_share;
-    s->M1_torque_ref_swings = clutch_rig_select(s->running > 0.5, s->M1_torque_ref_swings, 0.0);
     clutch_rig_swings(M1_torque_ref_swing, p->M1_torque_ref_oscillation_limit, s->M1_torque_ref_side,
         s->M1_torque_ref_swings, s->forgotten_swings, &s->M1_torque_ref_side, &s->M1_torque_ref_swings);
-    const clutch_rig_real cause_fault_M1_torque_ref_oscillation = clutch_rig_select(s->M1_torque_ref_swings - 5.5 >
-        0.0, 8001.0, 9999.0);
     /* oscillation of M2_torque_ref */
-    const clutch_rig_real M2_torque_ref_mean_before = clutch_rig_select(s->running > 0.5, s->M2_torque_ref_mean,
-        0.0);
+    const clutch_rig_real M2_torque_ref_mean_before = s->M2_torque_ref_mean;
     const clutch_rig_real M2_torque_ref_swing = M2_applied - M2_torque_ref_mean_before;
     s->M2_torque_ref_mean = M2_torque_ref_mean_before + M2_torque_ref_swing * s->mean_share;
-    s->M2_torque_ref_swings = clutch_rig_select(s->running > 0.5, s->M2_torque_ref_swings, 0.0);
     clutch_rig_swings(M2_torque_ref_swing, p->M2_torque_ref_oscillation_limit, s->M2_torque_ref_side,
         s->M2_torque_ref_swings, s->forgotten_swings, &s->M2_torque_ref_side, &s->M2_torque_ref_swings);
-    const clutch_rig_real cause_fault_M2_torque_ref_oscillation = clutch_rig_select(s->M2_torque_ref_swings - 5.5 >
-        0.0, 8002.0, 9999.0);
     /* the first fault is latched */
     const clutch_rig_real cause_of_watching =
-        clutch_rig_min(clutch_rig_min(clutch_rig_min(clutch_rig_min(cause_fault_M1_speed_disagreement,
-        cause_fault_M1_speed_frozen), clutch_rig_min(cause_fault_M1_torque_ref_oscillation,
-        cause_fault_M2_speed_disagreement)), clutch_rig_min(clutch_rig_min(cause_fault_M2_speed_frozen,
-        cause_fault_M2_torque_ref_oscillation), clutch_rig_min(cause_fault_flange1_torque_frozen,
-        cause_fault_flange1_torque_oscillation))), clutch_rig_min(cause_fault_flange2_torque_frozen,
-        cause_fault_flange2_torque_oscillation));
-    s->fault = clutch_rig_select(s->fault > 0.5, s->fault, clutch_rig_select(cause_of_watching > 9998.0, 0.0,
-        cause_of_watching));
+        !(M1_difference <= p->M1_frozen_limit || s->M1_speed_still_time <= p->frozen_time) ? 3003.0 :
+        !(M1_difference <= p->M1_frozen_limit || s->flange1_torque_still_time <= p->frozen_time ||
+        clutch_rig_abs(M1_applied - s->flange1_torque_command) <= s->M1_moved_torque) ? 3004.0 :
+        !(M2_difference <= p->M2_frozen_limit || s->flange2_torque_still_time <= p->frozen_time ||
+        clutch_rig_abs(M2_applied - s->flange2_torque_command) <= s->M2_moved_torque) ? 3005.0 :
+        !(M2_difference <= p->M2_frozen_limit || s->M2_speed_still_time <= p->frozen_time) ? 3006.0 :
+        !(s->M1_disagreement_time <= s->bridged_time) ? 5003.0 :
+        !(s->M2_disagreement_time <= s->bridged_time) ? 5006.0 :
+        !(s->flange1_torque_swings <= 5.5) ? 6004.0 :
+        !(s->flange2_torque_swings <= 5.5) ? 6005.0 :
+        !(s->M1_torque_ref_swings <= 5.5) ? 8001.0 :
+        !(s->M2_torque_ref_swings <= 5.5) ? 8002.0 :
+        0.0;
+    s->fault = clutch_rig_select(s->fault > 0.5, s->fault, cause_of_watching);
     /* limit of the rate */
-    const clutch_rig_real M1_speed_ref_before = clutch_rig_select(s->running > 0.5, s->M1_speed_ref_limited,
-        s->M1_speed_held);
+    const clutch_rig_real M1_speed_ref_before = s->M1_speed_ref_limited;
     s->M1_speed_ref_limited = M1_speed_ref_before + clutch_rig_max(-s->M1_speed_ref_step,
         clutch_rig_min(s->M1_speed_ref_step, -M1_speed_ref_before + s->M1_speed_ref_held));
-    const clutch_rig_real M2_speed_ref_before = clutch_rig_select(s->running > 0.5, s->M2_speed_ref_limited,
-        s->M2_speed_held);
+    const clutch_rig_real M2_speed_ref_before = s->M2_speed_ref_limited;
     s->M2_speed_ref_limited = M2_speed_ref_before + clutch_rig_max(-s->M2_speed_ref_step,
         clutch_rig_min(s->M2_speed_ref_step, -M2_speed_ref_before + s->M2_speed_ref_held));
     const clutch_rig_real M1_speed_error = -s->M1_speed_held + s->M1_speed_ref_limited;
@@ -486,8 +462,8 @@ clutch_rig_controller_status clutch_rig_controller_step(clutch_rig_controller_st
     /* so that a switch does not jump */
     const clutch_rig_real M1_given_away = M1_compensation * (load_compensation_before - s->load_compensation_now);
     /* PI speed control (5.84) */
-    const clutch_rig_real M1_integral_before = clutch_rig_select(p->M1_speed_integral_gain > 0.0, M1_given_away,
-        0.0) + clutch_rig_select(s->running > 0.5, s->M1_speed_integral, 0.0);
+    const clutch_rig_real M1_integral_before = s->M1_speed_integral + clutch_rig_select(p->M1_speed_integral_gain >
+        0.0, M1_given_away, 0.0);
     const clutch_rig_real M1_asked = M1_integral_before + M1_speed_error * p->M1_speed_gain;
     const clutch_rig_real M1_wanted = M1_asked + M1_compensation * s->load_compensation_now;
     /* torque-speed envelope */
@@ -503,8 +479,8 @@ clutch_rig_controller_status clutch_rig_controller_step(clutch_rig_controller_st
     /* so that a switch does not jump */
     const clutch_rig_real M2_given_away = M2_compensation * (load_compensation_before - s->load_compensation_now);
     /* PI speed control (5.84) */
-    const clutch_rig_real M2_integral_before = clutch_rig_select(p->M2_speed_integral_gain > 0.0, M2_given_away,
-        0.0) + clutch_rig_select(s->running > 0.5, s->M2_speed_integral, 0.0);
+    const clutch_rig_real M2_integral_before = s->M2_speed_integral + clutch_rig_select(p->M2_speed_integral_gain >
+        0.0, M2_given_away, 0.0);
     const clutch_rig_real M2_asked = M2_integral_before + M2_speed_error * p->M2_speed_gain;
     const clutch_rig_real M2_wanted = M2_asked + M2_compensation * s->load_compensation_now;
     /* torque-speed envelope */
@@ -518,34 +494,38 @@ clutch_rig_controller_status clutch_rig_controller_step(clutch_rig_controller_st
     clutch_rig_real M1_released;
     clutch_rig_real M1_released_sound;
     clutch_rig_guard(M1_command, s->M1_largest, s->M1_last, &M1_released, &M1_released_sound);
-    const clutch_rig_real cause_fault_M1_torque_ref = clutch_rig_select(M1_released_sound < 1.0, 7001.0, 9999.0);
     clutch_rig_real M2_released;
     clutch_rig_real M2_released_sound;
     clutch_rig_guard(M2_command, s->M2_largest, s->M2_last, &M2_released, &M2_released_sound);
-    const clutch_rig_real cause_fault_M2_torque_ref = clutch_rig_select(M2_released_sound < 1.0, 7002.0, 9999.0);
     /* the first fault is latched */
-    const clutch_rig_real cause_of_commands = clutch_rig_min(cause_fault_M1_torque_ref, cause_fault_M2_torque_ref);
-    s->fault = clutch_rig_select(s->fault > 0.5, s->fault, clutch_rig_select(cause_of_commands > 9998.0, 0.0,
-        cause_of_commands));
+    const clutch_rig_real cause_of_commands =
+        !(M1_released_sound > 0.5) ? 7001.0 :
+        !(M2_released_sound > 0.5) ? 7002.0 :
+        0.0;
+    s->fault = clutch_rig_select(s->fault > 0.5, s->fault, cause_of_commands);
     /* ramp of the torques */
     const clutch_rig_real authority_wanted = s->authority + clutch_rig_select(s->fault > 0.5, -s->ramp_step,
         s->ramp_step);
     clutch_rig_share(authority_wanted, &s->authority);
     s->running = clutch_rig_select(s->fault > 0.5, 0.0, 1.0);
-    s->M1_last = clutch_rig_select(s->fault > 0.5, s->M1_last, M1_released);
+    if (s->fault <= 0.5) {
+        s->M1_last = M1_released;
+        s->M2_last = M2_released;
+    }
     out->M1_torque_ref = clutch_rig_max(-480.0, clutch_rig_min(480.0, s->M1_last * s->authority));
-    s->M2_last = clutch_rig_select(s->fault > 0.5, s->M2_last, M2_released);
     out->M2_torque_ref = clutch_rig_max(-480.0, clutch_rig_min(480.0, s->M2_last * s->authority));
     /* The last line of defence, should parameters have been changed without an update. */
-    if (!clutch_rig_is_finite(out->M1_torque_ref)) {
-        out->M1_torque_ref = 0.0;
-        s->fault = s->fault > 0.0 ? s->fault : CLUTCH_RIG_REAL(clutch_rig_controller_fault_M1_torque_ref);
-        s->running = 0.0;
-    }
-    if (!clutch_rig_is_finite(out->M2_torque_ref)) {
-        out->M2_torque_ref = 0.0;
-        s->fault = s->fault > 0.0 ? s->fault : CLUTCH_RIG_REAL(clutch_rig_controller_fault_M2_torque_ref);
-        s->running = 0.0;
+    if (!clutch_rig_is_finite(out->M1_torque_ref + out->M2_torque_ref)) {
+        if (!clutch_rig_is_finite(out->M1_torque_ref)) {
+            out->M1_torque_ref = 0.0;
+            s->fault = s->fault > 0.0 ? s->fault : CLUTCH_RIG_REAL(clutch_rig_controller_fault_M1_torque_ref);
+            s->running = 0.0;
+        }
+        if (!clutch_rig_is_finite(out->M2_torque_ref)) {
+            out->M2_torque_ref = 0.0;
+            s->fault = s->fault > 0.0 ? s->fault : CLUTCH_RIG_REAL(clutch_rig_controller_fault_M2_torque_ref);
+            s->running = 0.0;
+        }
     }
     return (clutch_rig_controller_status)s->fault;
 }

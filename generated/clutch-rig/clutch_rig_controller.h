@@ -128,14 +128,19 @@ typedef struct {
     clutch_rig_real M2_speed_integral; /* integrator of the speed control of M2 (N m) */
     clutch_rig_real M1_last; /* last torque of M1 before a fault (N m) */
     clutch_rig_real M2_last; /* last torque of M2 before a fault (N m) */
+    clutch_rig_real bridged_time; /* for how long bad samples are bridged, with room for rounding (s) */
     clutch_rig_real switch_share; /* share of a change per step */
     clutch_rig_real M1_taper_slope; /* share of the torque of M1 per excess of speed (s/rad) */
     clutch_rig_real M1_taper_end; /* share at standstill if it were not limited */
+    clutch_rig_real M1_power; /* power of M1 above its rated speed (W) */
     clutch_rig_real M2_taper_slope; /* share of the torque of M2 per excess of speed (s/rad) */
     clutch_rig_real M2_taper_end; /* share at standstill if it were not limited */
+    clutch_rig_real M2_power; /* power of M2 above its rated speed (W) */
     clutch_rig_real disagreement_share; /* share of the difference that is forgotten per step */
     clutch_rig_real M1_per_step; /* change of speed of M1 per torque in a step (rad/s/(N m)) */
+    clutch_rig_real M1_moved_torque; /* change of the command to M1 that a torque must follow (N m) */
     clutch_rig_real M2_per_step; /* change of speed of M2 per torque in a step (rad/s/(N m)) */
+    clutch_rig_real M2_moved_torque; /* change of the command to M2 that a torque must follow (N m) */
     clutch_rig_real forgotten_swings; /* half swings that are forgotten per step */
     clutch_rig_real mean_share; /* share of a step in the mean of a torque */
     clutch_rig_real M1_speed_ref_step; /* largest change of M1_speed_ref in a step (rad/s) */

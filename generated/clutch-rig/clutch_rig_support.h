@@ -7,6 +7,7 @@
 #ifndef CLUTCH_RIG_SUPPORT_H
 #define CLUTCH_RIG_SUPPORT_H
 
+#include <math.h>
 #include <stddef.h>
 
 typedef double clutch_rig_real;
@@ -18,7 +19,7 @@ typedef double clutch_rig_real;
 
 static inline clutch_rig_real clutch_rig_min(clutch_rig_real a, clutch_rig_real b) { return a < b ? a : b; }
 static inline clutch_rig_real clutch_rig_max(clutch_rig_real a, clutch_rig_real b) { return a > b ? a : b; }
-static inline clutch_rig_real clutch_rig_abs(clutch_rig_real a) { return clutch_rig_max(-a, a); }
+static inline clutch_rig_real clutch_rig_abs(clutch_rig_real a) { return fabs(a); }
 /* Both are computed before, so that a step takes nearly the same time whichever is chosen. */
 static inline clutch_rig_real clutch_rig_select(int condition, clutch_rig_real a, clutch_rig_real b)
 {
@@ -144,19 +145,15 @@ static inline void clutch_rig_guard(clutch_rig_real value, clutch_rig_real bound
 {
     const int good = clutch_rig_abs(value) <= bound; /* false for NaN */
     *held = clutch_rig_select(good, value, before);
-    *sound = (clutch_rig_real)good;
+    *sound = clutch_rig_select(good, 1.0, 0.0);
 }
 
-/* For how long a signal was not sound: a sound step takes back a bad one. `late` is 1 if that is longer than allowed. */
+/* For how long a signal was not sound: a sound step takes back a bad one. No more than `allowed` and a step is counted. */
 static inline void clutch_rig_lasting(clutch_rig_real sound, clutch_rig_real time, clutch_rig_real step, clutch_rig_real allowed,
-    clutch_rig_real *after, clutch_rig_real *late)
+    clutch_rig_real *after)
 {
-    const clutch_rig_real longer = time + step;
-    const clutch_rig_real left = clutch_rig_min(time, allowed) - step;
-    const int good = sound > 0.5;
-    const int over = !(longer <= allowed + 0.5 * step); /* 1 for NaN */
-    *after = clutch_rig_select(good, clutch_rig_max(left, 0.0), longer);
-    *late = (clutch_rig_real)(over & !good);
+    const clutch_rig_real counted = clutch_rig_min(time, allowed);
+    *after = clutch_rig_select(sound > 0.5, clutch_rig_max(counted, step) - step, counted + step);
 }
 
 /* For how long `value` has been the same to the last bit. */
@@ -172,9 +169,8 @@ static inline void clutch_rig_swings(clutch_rig_real value, clutch_rig_real limi
 {
     const clutch_rig_real above = clutch_rig_select(value > limit, 1.0, side);
     const clutch_rig_real now = clutch_rig_select(value < -limit, -1.0, above);
-    const int changed = clutch_rig_abs(now - side) > 0.0;
     *after = now;
-    *swings = clutch_rig_max(count - decay, 0.0) + (clutch_rig_real)changed;
+    *swings = clutch_rig_max(count - decay, 0.0) + clutch_rig_min(clutch_rig_abs(now - side), 1.0);
 }
 
 /* `value` limited to 0 to 1; 0 for NaN. */
@@ -184,17 +180,25 @@ static inline void clutch_rig_share(clutch_rig_real value, clutch_rig_real *limi
 }
 
 /*
- * Function that is linear between the n increasing points of `grid` and constant beyond them; slope[k] holds from
- * grid[k] on, `first` is the value at grid[0]. Always takes the same time.
+ * Function that is linear between the n increasing points of `grid` and constant beyond them: from grid[k] on it is
+ * level[k] + slope[k] * (value - grid[k]); slope[n - 1] is zero. Bisection without branches: always the same time.
  */
 static inline void clutch_rig_lookup(int n, clutch_rig_real value, const clutch_rig_real *grid, const clutch_rig_real *slope,
-    clutch_rig_real first, clutch_rig_real *result)
+    const clutch_rig_real *level, clutch_rig_real *result)
 {
-    clutch_rig_real sum = first;
-    for (int k = 0; k + 1 < n; ++k) {
-        sum += slope[k] * clutch_rig_min(clutch_rig_max(value - grid[k], 0.0), grid[k + 1] - grid[k]);
+    const clutch_rig_real *at = grid;
+    int count = n; /* a constant where this is called, so most of what follows is computed by the compiler */
+    at += (value >= at[count / 2]) * (count / 2), count -= count / 2;
+    at += (value >= at[count / 2]) * (count / 2), count -= count / 2;
+    at += (value >= at[count / 2]) * (count / 2), count -= count / 2;
+    at += (value >= at[count / 2]) * (count / 2), count -= count / 2;
+    at += (value >= at[count / 2]) * (count / 2), count -= count / 2;
+    at += (value >= at[count / 2]) * (count / 2), count -= count / 2;
+    while (count > 1) {
+        at += (value >= at[count / 2]) * (count / 2), count -= count / 2;
     }
-    *result = sum;
+    const ptrdiff_t k = at - grid;
+    *result = level[k] + slope[k] * clutch_rig_max(value - grid[k], 0.0);
 }
 
 #endif

@@ -351,17 +351,24 @@ differential_gearboxes_controller_status differential_gearboxes_controller_updat
             return (differential_gearboxes_controller_status)(2000 + k);
         }
     }
+    s->bridged_time = p->hold_time + (0.5) * p->sample_time;
     s->switch_share = p->sample_time / p->switch_time;
     s->M1_taper_slope = 1.0 / p->M1_speed_taper;
     s->M1_taper_end = p->M1_speed_max / p->M1_speed_taper + 1.0;
+    s->M1_power = p->M1_speed_rated * p->M1_torque_max;
     s->M2_taper_slope = 1.0 / p->M2_speed_taper;
     s->M2_taper_end = p->M2_speed_max / p->M2_speed_taper + 1.0;
+    s->M2_power = p->M2_speed_rated * p->M2_torque_max;
     s->M3_taper_slope = 1.0 / p->M3_speed_taper;
     s->M3_taper_end = p->M3_speed_max / p->M3_speed_taper + 1.0;
+    s->M3_power = p->M3_speed_rated * p->M3_torque_max;
     s->disagreement_share = p->disagreement_leak * p->sample_time;
     s->M1_per_step = p->sample_time / p->M1_inertia;
+    s->M1_moved_torque = 0.05 * p->M1_torque_max;
     s->M2_per_step = p->sample_time / p->M2_inertia;
+    s->M2_moved_torque = 0.05 * p->M2_torque_max;
     s->M3_per_step = p->sample_time / p->M3_inertia;
+    s->M3_moved_torque = 0.05 * p->M3_torque_max;
     s->forgotten_swings = p->oscillation_frequency * p->sample_time;
     s->mean_share = 6.2832 * p->oscillation_frequency * p->sample_time;
     s->M2_speed_ref_step = p->M2_speed_ref_rate * p->sample_time;
@@ -401,186 +408,193 @@ differential_gearboxes_controller_status differential_gearboxes_controller_step(
     differential_gearboxes_real diff_outputs_torque_ref_sound;
     differential_gearboxes_guard(in->diff_outputs_torque_ref, p->diff_outputs_torque_ref_plausible,
         s->diff_outputs_torque_ref_held, &s->diff_outputs_torque_ref_held, &diff_outputs_torque_ref_sound);
-    differential_gearboxes_real diff_outputs_torque_ref_lost;
     differential_gearboxes_lasting(diff_outputs_torque_ref_sound, s->diff_outputs_torque_ref_bad_time,
-        p->sample_time, p->hold_time, &s->diff_outputs_torque_ref_bad_time, &diff_outputs_torque_ref_lost);
-    const differential_gearboxes_real cause_fault_diff_outputs_torque_ref =
-        differential_gearboxes_select(diff_outputs_torque_ref_lost > 0.0, 1.0, 9999.0);
+        p->sample_time, p->hold_time, &s->diff_outputs_torque_ref_bad_time);
     differential_gearboxes_real M2_speed_ref_sound;
     differential_gearboxes_guard(in->M2_speed_ref, p->M2_speed_ref_plausible, s->M2_speed_ref_held,
         &s->M2_speed_ref_held, &M2_speed_ref_sound);
-    differential_gearboxes_real M2_speed_ref_lost;
     differential_gearboxes_lasting(M2_speed_ref_sound, s->M2_speed_ref_bad_time, p->sample_time, p->hold_time,
-        &s->M2_speed_ref_bad_time, &M2_speed_ref_lost);
-    const differential_gearboxes_real cause_fault_M2_speed_ref = differential_gearboxes_select(M2_speed_ref_lost >
-        0.0, 2.0, 9999.0);
+        &s->M2_speed_ref_bad_time);
     differential_gearboxes_real M3_speed_ref_sound;
     differential_gearboxes_guard(in->M3_speed_ref, p->M3_speed_ref_plausible, s->M3_speed_ref_held,
         &s->M3_speed_ref_held, &M3_speed_ref_sound);
-    differential_gearboxes_real M3_speed_ref_lost;
     differential_gearboxes_lasting(M3_speed_ref_sound, s->M3_speed_ref_bad_time, p->sample_time, p->hold_time,
-        &s->M3_speed_ref_bad_time, &M3_speed_ref_lost);
-    const differential_gearboxes_real cause_fault_M3_speed_ref = differential_gearboxes_select(M3_speed_ref_lost >
-        0.0, 3.0, 9999.0);
+        &s->M3_speed_ref_bad_time);
     differential_gearboxes_real M1_speed_sound;
     differential_gearboxes_guard(in->M1_speed, p->M1_speed_plausible, s->M1_speed_held, &s->M1_speed_held,
         &M1_speed_sound);
-    differential_gearboxes_real M1_speed_lost;
     differential_gearboxes_lasting(M1_speed_sound, s->M1_speed_bad_time, p->sample_time, p->hold_time,
-        &s->M1_speed_bad_time, &M1_speed_lost);
-    const differential_gearboxes_real cause_fault_M1_speed = differential_gearboxes_select(M1_speed_lost > 0.0, 4.0,
-        9999.0);
+        &s->M1_speed_bad_time);
     differential_gearboxes_real flange1_torque_sound;
     differential_gearboxes_guard(in->flange1_torque, p->flange1_torque_plausible, s->flange1_torque_held,
         &s->flange1_torque_held, &flange1_torque_sound);
-    differential_gearboxes_real flange1_torque_lost;
     differential_gearboxes_lasting(flange1_torque_sound, s->flange1_torque_bad_time, p->sample_time, p->hold_time,
-        &s->flange1_torque_bad_time, &flange1_torque_lost);
-    const differential_gearboxes_real cause_fault_flange1_torque = differential_gearboxes_select(flange1_torque_lost
-        > 0.0, 5.0, 9999.0);
+        &s->flange1_torque_bad_time);
     differential_gearboxes_real flange2_torque_sound;
     differential_gearboxes_guard(in->flange2_torque, p->flange2_torque_plausible, s->flange2_torque_held,
         &s->flange2_torque_held, &flange2_torque_sound);
-    differential_gearboxes_real flange2_torque_lost;
     differential_gearboxes_lasting(flange2_torque_sound, s->flange2_torque_bad_time, p->sample_time, p->hold_time,
-        &s->flange2_torque_bad_time, &flange2_torque_lost);
-    const differential_gearboxes_real cause_fault_flange2_torque = differential_gearboxes_select(flange2_torque_lost
-        > 0.0, 6.0, 9999.0);
+        &s->flange2_torque_bad_time);
     differential_gearboxes_real M2_speed_sound;
     differential_gearboxes_guard(in->M2_speed, p->M2_speed_plausible, s->M2_speed_held, &s->M2_speed_held,
         &M2_speed_sound);
-    differential_gearboxes_real M2_speed_lost;
     differential_gearboxes_lasting(M2_speed_sound, s->M2_speed_bad_time, p->sample_time, p->hold_time,
-        &s->M2_speed_bad_time, &M2_speed_lost);
-    const differential_gearboxes_real cause_fault_M2_speed = differential_gearboxes_select(M2_speed_lost > 0.0, 7.0,
-        9999.0);
+        &s->M2_speed_bad_time);
     differential_gearboxes_real flange3_torque_sound;
     differential_gearboxes_guard(in->flange3_torque, p->flange3_torque_plausible, s->flange3_torque_held,
         &s->flange3_torque_held, &flange3_torque_sound);
-    differential_gearboxes_real flange3_torque_lost;
     differential_gearboxes_lasting(flange3_torque_sound, s->flange3_torque_bad_time, p->sample_time, p->hold_time,
-        &s->flange3_torque_bad_time, &flange3_torque_lost);
-    const differential_gearboxes_real cause_fault_flange3_torque = differential_gearboxes_select(flange3_torque_lost
-        > 0.0, 8.0, 9999.0);
+        &s->flange3_torque_bad_time);
     differential_gearboxes_real M3_speed_sound;
     differential_gearboxes_guard(in->M3_speed, p->M3_speed_plausible, s->M3_speed_held, &s->M3_speed_held,
         &M3_speed_sound);
-    differential_gearboxes_real M3_speed_lost;
     differential_gearboxes_lasting(M3_speed_sound, s->M3_speed_bad_time, p->sample_time, p->hold_time,
-        &s->M3_speed_bad_time, &M3_speed_lost);
-    const differential_gearboxes_real cause_fault_M3_speed = differential_gearboxes_select(M3_speed_lost > 0.0, 9.0,
-        9999.0);
+        &s->M3_speed_bad_time);
     /* overspeed */
     const differential_gearboxes_real M1_slow_enough = differential_gearboxes_select(p->M1_overspeed >=
         differential_gearboxes_abs(s->M1_speed_held), 1.0, 0.0);
-    differential_gearboxes_real M1_too_fast;
     differential_gearboxes_lasting(M1_slow_enough, s->M1_overspeed_time, p->sample_time, p->hold_time,
-        &s->M1_overspeed_time, &M1_too_fast);
-    const differential_gearboxes_real cause_fault_M1_speed_overspeed = differential_gearboxes_select(M1_too_fast >
-        0.0, 4004.0, 9999.0);
+        &s->M1_overspeed_time);
     const differential_gearboxes_real M2_slow_enough = differential_gearboxes_select(p->M2_overspeed >=
         differential_gearboxes_abs(s->M2_speed_held), 1.0, 0.0);
-    differential_gearboxes_real M2_too_fast;
     differential_gearboxes_lasting(M2_slow_enough, s->M2_overspeed_time, p->sample_time, p->hold_time,
-        &s->M2_overspeed_time, &M2_too_fast);
-    const differential_gearboxes_real cause_fault_M2_speed_overspeed = differential_gearboxes_select(M2_too_fast >
-        0.0, 4007.0, 9999.0);
+        &s->M2_overspeed_time);
     const differential_gearboxes_real M3_slow_enough = differential_gearboxes_select(p->M3_overspeed >=
         differential_gearboxes_abs(s->M3_speed_held), 1.0, 0.0);
-    differential_gearboxes_real M3_too_fast;
     differential_gearboxes_lasting(M3_slow_enough, s->M3_overspeed_time, p->sample_time, p->hold_time,
-        &s->M3_overspeed_time, &M3_too_fast);
-    const differential_gearboxes_real cause_fault_M3_speed_overspeed = differential_gearboxes_select(M3_too_fast >
-        0.0, 4009.0, 9999.0);
+        &s->M3_overspeed_time);
     /* reset on request, when the cause is gone */
     const differential_gearboxes_real reset_pressed =
         differential_gearboxes_select(differential_gearboxes_abs(in->reset - 1.0) <= 0.5, 1.0, 0.0);
-    const differential_gearboxes_real inputs_sound =
-        differential_gearboxes_min(differential_gearboxes_min(differential_gearboxes_min(differential_gearboxes_min(M1_slow_enough,
-        M1_speed_sound), differential_gearboxes_min(M2_slow_enough, M2_speed_ref_sound)),
-        differential_gearboxes_min(differential_gearboxes_min(M2_speed_sound, M3_slow_enough),
-        differential_gearboxes_min(M3_speed_ref_sound, M3_speed_sound))),
-        differential_gearboxes_min(differential_gearboxes_min(diff_outputs_torque_ref_sound, flange1_torque_sound),
-        differential_gearboxes_min(flange2_torque_sound, flange3_torque_sound)));
-    const differential_gearboxes_real latched = differential_gearboxes_select(s->fault > 0.5, 1.0, 0.0);
-    s->reset_request = inputs_sound * latched * (1.0 - s->refused) * differential_gearboxes_max(s->reset_request,
-        -s->reset_before + reset_pressed);
+    s->reset_request = differential_gearboxes_select(s->fault > 0.5, differential_gearboxes_select(p->M1_overspeed
+        >= differential_gearboxes_abs(s->M1_speed_held) && p->M1_speed_plausible >=
+        differential_gearboxes_abs(in->M1_speed) && p->M2_overspeed >= differential_gearboxes_abs(s->M2_speed_held)
+        && p->M2_speed_plausible >= differential_gearboxes_abs(in->M2_speed) && p->M2_speed_ref_plausible >=
+        differential_gearboxes_abs(in->M2_speed_ref) && p->M3_overspeed >=
+        differential_gearboxes_abs(s->M3_speed_held) && p->M3_speed_plausible >=
+        differential_gearboxes_abs(in->M3_speed) && p->M3_speed_ref_plausible >=
+        differential_gearboxes_abs(in->M3_speed_ref) && p->diff_outputs_torque_ref_plausible >=
+        differential_gearboxes_abs(in->diff_outputs_torque_ref) && p->flange1_torque_plausible >=
+        differential_gearboxes_abs(in->flange1_torque) && p->flange2_torque_plausible >=
+        differential_gearboxes_abs(in->flange2_torque) && p->flange3_torque_plausible >=
+        differential_gearboxes_abs(in->flange3_torque), (1.0 - s->refused) *
+        differential_gearboxes_max(s->reset_request, -s->reset_before + reset_pressed), 0.0), 0.0);
     s->reset_before = reset_pressed;
     s->fault = s->fault * (1.0 - differential_gearboxes_select(s->authority <= 0.0, s->reset_request, 0.0));
     s->reset_request = differential_gearboxes_select(s->fault > 0.5, s->reset_request, 0.0);
     /* the first fault is latched */
     const differential_gearboxes_real cause_of_inputs =
-        differential_gearboxes_min(differential_gearboxes_min(differential_gearboxes_min(differential_gearboxes_min(cause_fault_M1_speed,
-        cause_fault_M1_speed_overspeed), differential_gearboxes_min(cause_fault_M2_speed,
-        cause_fault_M2_speed_overspeed)),
-        differential_gearboxes_min(differential_gearboxes_min(cause_fault_M2_speed_ref, cause_fault_M3_speed),
-        differential_gearboxes_min(cause_fault_M3_speed_overspeed, cause_fault_M3_speed_ref))),
-        differential_gearboxes_min(differential_gearboxes_min(cause_fault_diff_outputs_torque_ref,
-        cause_fault_flange1_torque), differential_gearboxes_min(cause_fault_flange2_torque,
-        cause_fault_flange3_torque)));
-    s->fault = differential_gearboxes_select(s->fault > 0.5, s->fault, differential_gearboxes_select(cause_of_inputs
-        > 9998.0, 0.0, cause_of_inputs));
+        !(s->diff_outputs_torque_ref_bad_time <= s->bridged_time) ? 1.0 :
+        !(s->M2_speed_ref_bad_time <= s->bridged_time) ? 2.0 :
+        !(s->M3_speed_ref_bad_time <= s->bridged_time) ? 3.0 :
+        !(s->M1_speed_bad_time <= s->bridged_time) ? 4.0 :
+        !(s->flange1_torque_bad_time <= s->bridged_time) ? 5.0 :
+        !(s->flange2_torque_bad_time <= s->bridged_time) ? 6.0 :
+        !(s->M2_speed_bad_time <= s->bridged_time) ? 7.0 :
+        !(s->flange3_torque_bad_time <= s->bridged_time) ? 8.0 :
+        !(s->M3_speed_bad_time <= s->bridged_time) ? 9.0 :
+        !(s->M1_overspeed_time <= s->bridged_time) ? 4004.0 :
+        !(s->M2_overspeed_time <= s->bridged_time) ? 4007.0 :
+        !(s->M3_overspeed_time <= s->bridged_time) ? 4009.0 :
+        0.0;
+    s->fault = differential_gearboxes_select(s->fault > 0.5, s->fault, cause_of_inputs);
+    if (s->running <= 0.5) {
+        /* the first step, and the first one after a fault, starts anew */
+        s->load_compensation_now = p->load_compensation;
+        s->acceleration_torque_now = p->acceleration_torque;
+        s->M1_damping_now = p->M1_damping;
+        s->M1_integrated = s->M1_speed_held;
+        s->M1_speed_still_time = 0.0;
+        s->flange1_torque_still_time = 0.0;
+        s->M2_integrated = s->M2_speed_held;
+        s->M2_speed_still_time = 0.0;
+        s->flange2_torque_still_time = 0.0;
+        s->M3_integrated = s->M3_speed_held;
+        s->M3_speed_still_time = 0.0;
+        s->flange3_torque_still_time = 0.0;
+        s->flange1_torque_mean = s->flange1_torque_held;
+        s->flange1_torque_swings = 0.0;
+        s->flange2_torque_mean = s->flange2_torque_held;
+        s->flange2_torque_swings = 0.0;
+        s->flange3_torque_mean = s->flange3_torque_held;
+        s->flange3_torque_swings = 0.0;
+        s->M1_torque_ref_mean = 0.0;
+        s->M1_torque_ref_swings = 0.0;
+        s->M2_torque_ref_mean = 0.0;
+        s->M2_torque_ref_swings = 0.0;
+        s->M3_torque_ref_mean = 0.0;
+        s->M3_torque_ref_swings = 0.0;
+        s->M2_speed_ref_limited = s->M2_speed_held;
+        s->M3_speed_ref_limited = s->M3_speed_held;
+        s->M2_speed_integral = 0.0;
+        s->M3_speed_integral = 0.0;
+        s->M1_model_rate = 0.0;
+        s->M1_torque_integral = 0.0;
+    }
     /* load_compensation follows its parameter along a ramp */
-    const differential_gearboxes_real load_compensation_before = differential_gearboxes_select(s->running > 0.5,
-        s->load_compensation_now, p->load_compensation);
+    const differential_gearboxes_real load_compensation_before = s->load_compensation_now;
     const differential_gearboxes_real load_compensation_distance = p->load_compensation - load_compensation_before;
-    const differential_gearboxes_real load_compensation_moved = differential_gearboxes_select(p->load_compensation
-        != s->load_compensation_target, differential_gearboxes_max(s->switch_share *
-        differential_gearboxes_abs(load_compensation_distance), 1e-06 *
-        differential_gearboxes_abs(p->load_compensation) + 1e-06 *
-        differential_gearboxes_abs(load_compensation_before)), s->load_compensation_step);
-    s->load_compensation_now = differential_gearboxes_select(load_compensation_distance > load_compensation_moved,
-        load_compensation_before + load_compensation_moved, differential_gearboxes_select(load_compensation_distance
-        < -load_compensation_moved, load_compensation_before - load_compensation_moved, p->load_compensation));
-    s->load_compensation_step = differential_gearboxes_select(load_compensation_moved <
-        differential_gearboxes_abs(load_compensation_distance), load_compensation_moved, 0.0);
+    if (p->load_compensation != s->load_compensation_target) {
+        s->load_compensation_step = differential_gearboxes_max(s->switch_share *
+            differential_gearboxes_abs(load_compensation_distance), 1e-06 *
+            differential_gearboxes_abs(p->load_compensation) + 1e-06 *
+            differential_gearboxes_abs(load_compensation_before));
+    }
+    s->load_compensation_now = differential_gearboxes_select(s->load_compensation_step <
+        differential_gearboxes_abs(load_compensation_distance), load_compensation_before +
+        differential_gearboxes_max(-s->load_compensation_step,
+        differential_gearboxes_min(load_compensation_distance, s->load_compensation_step)), p->load_compensation);
+    s->load_compensation_step = differential_gearboxes_select(s->load_compensation_step <
+        differential_gearboxes_abs(load_compensation_distance), s->load_compensation_step, 0.0);
     s->load_compensation_target = p->load_compensation;
     /* acceleration_torque follows its parameter along a ramp */
-    const differential_gearboxes_real acceleration_torque_before = differential_gearboxes_select(s->running > 0.5,
-        s->acceleration_torque_now, p->acceleration_torque);
+    const differential_gearboxes_real acceleration_torque_before = s->acceleration_torque_now;
     const differential_gearboxes_real acceleration_torque_distance = p->acceleration_torque -
         acceleration_torque_before;
-    const differential_gearboxes_real acceleration_torque_moved =
-        differential_gearboxes_select(p->acceleration_torque != s->acceleration_torque_target,
-        differential_gearboxes_max(s->switch_share * differential_gearboxes_abs(acceleration_torque_distance), 1e-06
-        * differential_gearboxes_abs(p->acceleration_torque) + 1e-06 *
-        differential_gearboxes_abs(acceleration_torque_before)), s->acceleration_torque_step);
-    s->acceleration_torque_now = differential_gearboxes_select(acceleration_torque_distance >
-        acceleration_torque_moved, acceleration_torque_before + acceleration_torque_moved,
-        differential_gearboxes_select(acceleration_torque_distance < -acceleration_torque_moved,
-        acceleration_torque_before - acceleration_torque_moved, p->acceleration_torque));
-    s->acceleration_torque_step = differential_gearboxes_select(acceleration_torque_moved <
-        differential_gearboxes_abs(acceleration_torque_distance), acceleration_torque_moved, 0.0);
+    if (p->acceleration_torque != s->acceleration_torque_target) {
+        s->acceleration_torque_step = differential_gearboxes_max(s->switch_share *
+            differential_gearboxes_abs(acceleration_torque_distance), 1e-06 *
+            differential_gearboxes_abs(p->acceleration_torque) + 1e-06 *
+            differential_gearboxes_abs(acceleration_torque_before));
+    }
+    s->acceleration_torque_now = differential_gearboxes_select(s->acceleration_torque_step <
+        differential_gearboxes_abs(acceleration_torque_distance), acceleration_torque_before +
+        differential_gearboxes_max(-s->acceleration_torque_step,
+        differential_gearboxes_min(acceleration_torque_distance, s->acceleration_torque_step)),
+        p->acceleration_torque);
+    s->acceleration_torque_step = differential_gearboxes_select(s->acceleration_torque_step <
+        differential_gearboxes_abs(acceleration_torque_distance), s->acceleration_torque_step, 0.0);
     s->acceleration_torque_target = p->acceleration_torque;
     /* M1_damping follows its parameter along a ramp */
-    const differential_gearboxes_real M1_damping_before = differential_gearboxes_select(s->running > 0.5,
-        s->M1_damping_now, p->M1_damping);
+    const differential_gearboxes_real M1_damping_before = s->M1_damping_now;
     const differential_gearboxes_real M1_damping_distance = p->M1_damping - M1_damping_before;
-    const differential_gearboxes_real M1_damping_moved = differential_gearboxes_select(p->M1_damping !=
-        s->M1_damping_target, differential_gearboxes_max(s->switch_share *
-        differential_gearboxes_abs(M1_damping_distance), 1e-06 * differential_gearboxes_abs(p->M1_damping) + 1e-06 *
-        differential_gearboxes_abs(M1_damping_before)), s->M1_damping_step);
-    s->M1_damping_now = differential_gearboxes_select(M1_damping_distance > M1_damping_moved, M1_damping_before +
-        M1_damping_moved, differential_gearboxes_select(M1_damping_distance < -M1_damping_moved, M1_damping_before -
-        M1_damping_moved, p->M1_damping));
-    s->M1_damping_step = differential_gearboxes_select(M1_damping_moved <
-        differential_gearboxes_abs(M1_damping_distance), M1_damping_moved, 0.0);
+    if (p->M1_damping != s->M1_damping_target) {
+        s->M1_damping_step = differential_gearboxes_max(s->switch_share *
+            differential_gearboxes_abs(M1_damping_distance), 1e-06 * differential_gearboxes_abs(p->M1_damping) + 1e-06 *
+            differential_gearboxes_abs(M1_damping_before));
+    }
+    s->M1_damping_now = differential_gearboxes_select(s->M1_damping_step <
+        differential_gearboxes_abs(M1_damping_distance), M1_damping_before +
+        differential_gearboxes_max(-s->M1_damping_step, differential_gearboxes_min(M1_damping_distance,
+        s->M1_damping_step)), p->M1_damping);
+    s->M1_damping_step = differential_gearboxes_select(s->M1_damping_step <
+        differential_gearboxes_abs(M1_damping_distance), s->M1_damping_step, 0.0);
     s->M1_damping_target = p->M1_damping;
     /* torque-speed envelope, Figure 7.1 */
-    const differential_gearboxes_real M1_available = p->M1_speed_rated * p->M1_torque_max /
-        differential_gearboxes_max(p->M1_speed_rated, differential_gearboxes_abs(s->M1_speed_held));
+    const differential_gearboxes_real M1_available = s->M1_power / differential_gearboxes_max(p->M1_speed_rated,
+        differential_gearboxes_abs(s->M1_speed_held));
     const differential_gearboxes_real M1_least = -M1_available * differential_gearboxes_max(0.0,
         differential_gearboxes_min(1.0, s->M1_speed_held * s->M1_taper_slope + s->M1_taper_end));
     const differential_gearboxes_real M1_most = M1_available * differential_gearboxes_max(0.0,
         differential_gearboxes_min(1.0, -s->M1_speed_held * s->M1_taper_slope + s->M1_taper_end));
-    const differential_gearboxes_real M2_available = p->M2_speed_rated * p->M2_torque_max /
-        differential_gearboxes_max(p->M2_speed_rated, differential_gearboxes_abs(s->M2_speed_held));
+    const differential_gearboxes_real M2_available = s->M2_power / differential_gearboxes_max(p->M2_speed_rated,
+        differential_gearboxes_abs(s->M2_speed_held));
     const differential_gearboxes_real M2_least = -M2_available * differential_gearboxes_max(0.0,
         differential_gearboxes_min(1.0, s->M2_speed_held * s->M2_taper_slope + s->M2_taper_end));
     const differential_gearboxes_real M2_most = M2_available * differential_gearboxes_max(0.0,
         differential_gearboxes_min(1.0, -s->M2_speed_held * s->M2_taper_slope + s->M2_taper_end));
-    const differential_gearboxes_real M3_available = p->M3_speed_rated * p->M3_torque_max /
-        differential_gearboxes_max(p->M3_speed_rated, differential_gearboxes_abs(s->M3_speed_held));
+    const differential_gearboxes_real M3_available = s->M3_power / differential_gearboxes_max(p->M3_speed_rated,
+        differential_gearboxes_abs(s->M3_speed_held));
     const differential_gearboxes_real M3_least = -M3_available * differential_gearboxes_max(0.0,
         differential_gearboxes_min(1.0, s->M3_speed_held * s->M3_taper_slope + s->M3_taper_end));
     const differential_gearboxes_real M3_most = M3_available * differential_gearboxes_max(0.0,
@@ -590,8 +604,7 @@ differential_gearboxes_controller_status differential_gearboxes_controller_step(
     const differential_gearboxes_real M2_applied = s->M2_last * s->authority;
     const differential_gearboxes_real M3_applied = s->M3_last * s->authority;
     /* speed from the torques on the rotor */
-    const differential_gearboxes_real M1_integrated_before = differential_gearboxes_select(s->running > 0.5,
-        s->M1_integrated, s->M1_speed_held);
+    const differential_gearboxes_real M1_integrated_before = s->M1_integrated;
     s->M1_integrated = M1_integrated_before + s->M1_per_step * (M1_applied - s->flange1_torque_held) +
         s->disagreement_share * (-M1_integrated_before + s->M1_speed_held);
     const differential_gearboxes_real M1_difference = differential_gearboxes_abs(s->M1_integrated -
@@ -599,34 +612,20 @@ differential_gearboxes_controller_status differential_gearboxes_controller_step(
     /* speed against torques */
     const differential_gearboxes_real M1_agrees = differential_gearboxes_select(M1_difference <=
         p->M1_disagreement_limit, 1.0, 0.0);
-    differential_gearboxes_real M1_disagrees;
     differential_gearboxes_lasting(M1_agrees, s->M1_disagreement_time, p->sample_time, p->hold_time,
-        &s->M1_disagreement_time, &M1_disagrees);
+        &s->M1_disagreement_time);
     /* M1_speed to the last bit */
-    s->M1_speed_still_time = differential_gearboxes_select(s->running > 0.5, s->M1_speed_still_time, 0.0);
     differential_gearboxes_still(s->M1_speed_held, s->M1_speed_before, s->M1_speed_still_time, p->sample_time,
         &s->M1_speed_still_time);
     s->M1_speed_before = s->M1_speed_held;
-    const differential_gearboxes_real cause_fault_M1_speed_frozen =
-        differential_gearboxes_select(differential_gearboxes_min(M1_difference - p->M1_frozen_limit,
-        s->M1_speed_still_time - p->frozen_time) > 0.0, 3004.0, 9999.0);
-    const differential_gearboxes_real cause_fault_M1_speed_disagreement = differential_gearboxes_select(M1_disagrees
-        > 0.0, 5004.0, 9999.0);
     /* flange1_torque to the last bit */
-    s->flange1_torque_still_time = differential_gearboxes_select(s->running > 0.5, s->flange1_torque_still_time,
-        0.0);
     differential_gearboxes_still(s->flange1_torque_held, s->flange1_torque_before, s->flange1_torque_still_time,
         p->sample_time, &s->flange1_torque_still_time);
     s->flange1_torque_before = s->flange1_torque_held;
     s->flange1_torque_command = differential_gearboxes_select(s->flange1_torque_still_time > 0.0,
         s->flange1_torque_command, M1_applied);
-    const differential_gearboxes_real cause_fault_flange1_torque_frozen =
-        differential_gearboxes_select(differential_gearboxes_min(differential_gearboxes_min(M1_difference -
-        p->M1_frozen_limit, s->flange1_torque_still_time - p->frozen_time), -0.05 * p->M1_torque_max +
-        differential_gearboxes_abs(M1_applied - s->flange1_torque_command)) > 0.0, 3005.0, 9999.0);
     /* speed from the torques on the rotor */
-    const differential_gearboxes_real M2_integrated_before = differential_gearboxes_select(s->running > 0.5,
-        s->M2_integrated, s->M2_speed_held);
+    const differential_gearboxes_real M2_integrated_before = s->M2_integrated;
     s->M2_integrated = M2_integrated_before + s->M2_per_step * (M2_applied + s->flange2_torque_held) +
         s->disagreement_share * (-M2_integrated_before + s->M2_speed_held);
     const differential_gearboxes_real M2_difference = differential_gearboxes_abs(s->M2_integrated -
@@ -634,34 +633,20 @@ differential_gearboxes_controller_status differential_gearboxes_controller_step(
     /* speed against torques */
     const differential_gearboxes_real M2_agrees = differential_gearboxes_select(M2_difference <=
         p->M2_disagreement_limit, 1.0, 0.0);
-    differential_gearboxes_real M2_disagrees;
     differential_gearboxes_lasting(M2_agrees, s->M2_disagreement_time, p->sample_time, p->hold_time,
-        &s->M2_disagreement_time, &M2_disagrees);
+        &s->M2_disagreement_time);
     /* M2_speed to the last bit */
-    s->M2_speed_still_time = differential_gearboxes_select(s->running > 0.5, s->M2_speed_still_time, 0.0);
     differential_gearboxes_still(s->M2_speed_held, s->M2_speed_before, s->M2_speed_still_time, p->sample_time,
         &s->M2_speed_still_time);
     s->M2_speed_before = s->M2_speed_held;
-    const differential_gearboxes_real cause_fault_M2_speed_frozen =
-        differential_gearboxes_select(differential_gearboxes_min(M2_difference - p->M2_frozen_limit,
-        s->M2_speed_still_time - p->frozen_time) > 0.0, 3007.0, 9999.0);
-    const differential_gearboxes_real cause_fault_M2_speed_disagreement = differential_gearboxes_select(M2_disagrees
-        > 0.0, 5007.0, 9999.0);
     /* flange2_torque to the last bit */
-    s->flange2_torque_still_time = differential_gearboxes_select(s->running > 0.5, s->flange2_torque_still_time,
-        0.0);
     differential_gearboxes_still(s->flange2_torque_held, s->flange2_torque_before, s->flange2_torque_still_time,
         p->sample_time, &s->flange2_torque_still_time);
     s->flange2_torque_before = s->flange2_torque_held;
     s->flange2_torque_command = differential_gearboxes_select(s->flange2_torque_still_time > 0.0,
         s->flange2_torque_command, M2_applied);
-    const differential_gearboxes_real cause_fault_flange2_torque_frozen =
-        differential_gearboxes_select(differential_gearboxes_min(differential_gearboxes_min(M2_difference -
-        p->M2_frozen_limit, s->flange2_torque_still_time - p->frozen_time), -0.05 * p->M2_torque_max +
-        differential_gearboxes_abs(M2_applied - s->flange2_torque_command)) > 0.0, 3006.0, 9999.0);
     /* speed from the torques on the rotor */
-    const differential_gearboxes_real M3_integrated_before = differential_gearboxes_select(s->running > 0.5,
-        s->M3_integrated, s->M3_speed_held);
+    const differential_gearboxes_real M3_integrated_before = s->M3_integrated;
     s->M3_integrated = M3_integrated_before + s->M3_per_step * (M3_applied + s->flange3_torque_held) +
         s->disagreement_share * (-M3_integrated_before + s->M3_speed_held);
     const differential_gearboxes_real M3_difference = differential_gearboxes_abs(s->M3_integrated -
@@ -669,113 +654,81 @@ differential_gearboxes_controller_status differential_gearboxes_controller_step(
     /* speed against torques */
     const differential_gearboxes_real M3_agrees = differential_gearboxes_select(M3_difference <=
         p->M3_disagreement_limit, 1.0, 0.0);
-    differential_gearboxes_real M3_disagrees;
     differential_gearboxes_lasting(M3_agrees, s->M3_disagreement_time, p->sample_time, p->hold_time,
-        &s->M3_disagreement_time, &M3_disagrees);
+        &s->M3_disagreement_time);
     /* M3_speed to the last bit */
-    s->M3_speed_still_time = differential_gearboxes_select(s->running > 0.5, s->M3_speed_still_time, 0.0);
     differential_gearboxes_still(s->M3_speed_held, s->M3_speed_before, s->M3_speed_still_time, p->sample_time,
         &s->M3_speed_still_time);
     s->M3_speed_before = s->M3_speed_held;
-    const differential_gearboxes_real cause_fault_M3_speed_frozen =
-        differential_gearboxes_select(differential_gearboxes_min(M3_difference - p->M3_frozen_limit,
-        s->M3_speed_still_time - p->frozen_time) > 0.0, 3009.0, 9999.0);
-    const differential_gearboxes_real cause_fault_M3_speed_disagreement = differential_gearboxes_select(M3_disagrees
-        > 0.0, 5009.0, 9999.0);
     /* flange3_torque to the last bit */
-    s->flange3_torque_still_time = differential_gearboxes_select(s->running > 0.5, s->flange3_torque_still_time,
-        0.0);
     differential_gearboxes_still(s->flange3_torque_held, s->flange3_torque_before, s->flange3_torque_still_time,
         p->sample_time, &s->flange3_torque_still_time);
     s->flange3_torque_before = s->flange3_torque_held;
     s->flange3_torque_command = differential_gearboxes_select(s->flange3_torque_still_time > 0.0,
         s->flange3_torque_command, M3_applied);
-    const differential_gearboxes_real cause_fault_flange3_torque_frozen =
-        differential_gearboxes_select(differential_gearboxes_min(differential_gearboxes_min(M3_difference -
-        p->M3_frozen_limit, s->flange3_torque_still_time - p->frozen_time), -0.05 * p->M3_torque_max +
-        differential_gearboxes_abs(M3_applied - s->flange3_torque_command)) > 0.0, 3008.0, 9999.0);
     /* oscillation of flange1_torque */
-    const differential_gearboxes_real flange1_torque_mean_before = differential_gearboxes_select(s->running > 0.5,
-        s->flange1_torque_mean, s->flange1_torque_held);
+    const differential_gearboxes_real flange1_torque_mean_before = s->flange1_torque_mean;
     const differential_gearboxes_real flange1_torque_swing = s->flange1_torque_held - flange1_torque_mean_before;
     s->flange1_torque_mean = flange1_torque_mean_before + flange1_torque_swing * s->mean_share;
-    s->flange1_torque_swings = differential_gearboxes_select(s->running > 0.5, s->flange1_torque_swings, 0.0);
     differential_gearboxes_swings(flange1_torque_swing, p->flange1_torque_oscillation_limit, s->flange1_torque_side,
         s->flange1_torque_swings, s->forgotten_swings, &s->flange1_torque_side, &s->flange1_torque_swings);
-    const differential_gearboxes_real cause_fault_flange1_torque_oscillation =
-        differential_gearboxes_select(s->flange1_torque_swings - 5.5 > 0.0, 6005.0, 9999.0);
     /* oscillation of flange2_torque */
-    const differential_gearboxes_real flange2_torque_mean_before = differential_gearboxes_select(s->running > 0.5,
-        s->flange2_torque_mean, s->flange2_torque_held);
+    const differential_gearboxes_real flange2_torque_mean_before = s->flange2_torque_mean;
     const differential_gearboxes_real flange2_torque_swing = s->flange2_torque_held - flange2_torque_mean_before;
     s->flange2_torque_mean = flange2_torque_mean_before + flange2_torque_swing * s->mean_share;
-    s->flange2_torque_swings = differential_gearboxes_select(s->running > 0.5, s->flange2_torque_swings, 0.0);
     differential_gearboxes_swings(flange2_torque_swing, p->flange2_torque_oscillation_limit, s->flange2_torque_side,
         s->flange2_torque_swings, s->forgotten_swings, &s->flange2_torque_side, &s->flange2_torque_swings);
-    const differential_gearboxes_real cause_fault_flange2_torque_oscillation =
-        differential_gearboxes_select(s->flange2_torque_swings - 5.5 > 0.0, 6006.0, 9999.0);
     /* oscillation of flange3_torque */
-    const differential_gearboxes_real flange3_torque_mean_before = differential_gearboxes_select(s->running > 0.5,
-        s->flange3_torque_mean, s->flange3_torque_held);
+    const differential_gearboxes_real flange3_torque_mean_before = s->flange3_torque_mean;
     const differential_gearboxes_real flange3_torque_swing = s->flange3_torque_held - flange3_torque_mean_before;
     s->flange3_torque_mean = flange3_torque_mean_before + flange3_torque_swing * s->mean_share;
-    s->flange3_torque_swings = differential_gearboxes_select(s->running > 0.5, s->flange3_torque_swings, 0.0);
     differential_gearboxes_swings(flange3_torque_swing, p->flange3_torque_oscillation_limit, s->flange3_torque_side,
         s->flange3_torque_swings, s->forgotten_swings, &s->flange3_torque_side, &s->flange3_torque_swings);
-    const differential_gearboxes_real cause_fault_flange3_torque_oscillation =
-        differential_gearboxes_select(s->flange3_torque_swings - 5.5 > 0.0, 6008.0, 9999.0);
     /* oscillation of M1_torque_ref */
-    const differential_gearboxes_real M1_torque_ref_mean_before = differential_gearboxes_select(s->running > 0.5,
-        s->M1_torque_ref_mean, 0.0);
+    const differential_gearboxes_real M1_torque_ref_mean_before = s->M1_torque_ref_mean;
     const differential_gearboxes_real M1_torque_ref_swing = M1_applied - M1_torque_ref_mean_before;
     s->M1_torque_ref_mean = M1_torque_ref_mean_before + M1_torque_ref_swing * s->mean_share;
-    s->M1_torque_ref_swings = differential_gearboxes_select(s->running > 0.5, s->M1_torque_ref_swings, 0.0);
     differential_gearboxes_swings(M1_torque_ref_swing, p->M1_torque_ref_oscillation_limit, s->M1_torque_ref_side,
         s->M1_torque_ref_swings, s->forgotten_swings, &s->M1_torque_ref_side, &s->M1_torque_ref_swings);
-    const differential_gearboxes_real cause_fault_M1_torque_ref_oscillation =
-        differential_gearboxes_select(s->M1_torque_ref_swings - 5.5 > 0.0, 8001.0, 9999.0);
     /* oscillation of M2_torque_ref */
-    const differential_gearboxes_real M2_torque_ref_mean_before = differential_gearboxes_select(s->running > 0.5,
-        s->M2_torque_ref_mean, 0.0);
+    const differential_gearboxes_real M2_torque_ref_mean_before = s->M2_torque_ref_mean;
     const differential_gearboxes_real M2_torque_ref_swing = M2_applied - M2_torque_ref_mean_before;
     s->M2_torque_ref_mean = M2_torque_ref_mean_before + M2_torque_ref_swing * s->mean_share;
-    s->M2_torque_ref_swings = differential_gearboxes_select(s->running > 0.5, s->M2_torque_ref_swings, 0.0);
     differential_gearboxes_swings(M2_torque_ref_swing, p->M2_torque_ref_oscillation_limit, s->M2_torque_ref_side,
         s->M2_torque_ref_swings, s->forgotten_swings, &s->M2_torque_ref_side, &s->M2_torque_ref_swings);
-    const differential_gearboxes_real cause_fault_M2_torque_ref_oscillation =
-        differential_gearboxes_select(s->M2_torque_ref_swings - 5.5 > 0.0, 8002.0, 9999.0);
     /* oscillation of M3_torque_ref */
-    const differential_gearboxes_real M3_torque_ref_mean_before = differential_gearboxes_select(s->running > 0.5,
-        s->M3_torque_ref_mean, 0.0);
+    const differential_gearboxes_real M3_torque_ref_mean_before = s->M3_torque_ref_mean;
     const differential_gearboxes_real M3_torque_ref_swing = M3_applied - M3_torque_ref_mean_before;
     s->M3_torque_ref_mean = M3_torque_ref_mean_before + M3_torque_ref_swing * s->mean_share;
-    s->M3_torque_ref_swings = differential_gearboxes_select(s->running > 0.5, s->M3_torque_ref_swings, 0.0);
     differential_gearboxes_swings(M3_torque_ref_swing, p->M3_torque_ref_oscillation_limit, s->M3_torque_ref_side,
         s->M3_torque_ref_swings, s->forgotten_swings, &s->M3_torque_ref_side, &s->M3_torque_ref_swings);
-    const differential_gearboxes_real cause_fault_M3_torque_ref_oscillation =
-        differential_gearboxes_select(s->M3_torque_ref_swings - 5.5 > 0.0, 8003.0, 9999.0);
     /* the first fault is latched */
     const differential_gearboxes_real cause_of_watching =
-        differential_gearboxes_min(differential_gearboxes_min(differential_gearboxes_min(differential_gearboxes_min(cause_fault_M1_speed_disagreement,
-        cause_fault_M1_speed_frozen), differential_gearboxes_min(cause_fault_M1_torque_ref_oscillation,
-        cause_fault_M2_speed_disagreement)),
-        differential_gearboxes_min(differential_gearboxes_min(cause_fault_M2_speed_frozen,
-        cause_fault_M2_torque_ref_oscillation), differential_gearboxes_min(cause_fault_M3_speed_disagreement,
-        cause_fault_M3_speed_frozen))),
-        differential_gearboxes_min(differential_gearboxes_min(differential_gearboxes_min(cause_fault_M3_torque_ref_oscillation,
-        cause_fault_flange1_torque_frozen), differential_gearboxes_min(cause_fault_flange1_torque_oscillation,
-        cause_fault_flange2_torque_frozen)),
-        differential_gearboxes_min(differential_gearboxes_min(cause_fault_flange2_torque_oscillation,
-        cause_fault_flange3_torque_frozen), cause_fault_flange3_torque_oscillation)));
-    s->fault = differential_gearboxes_select(s->fault > 0.5, s->fault,
-        differential_gearboxes_select(cause_of_watching > 9998.0, 0.0, cause_of_watching));
+        !(M1_difference <= p->M1_frozen_limit || s->M1_speed_still_time <= p->frozen_time) ? 3004.0 :
+        !(M1_difference <= p->M1_frozen_limit || s->flange1_torque_still_time <= p->frozen_time ||
+        differential_gearboxes_abs(M1_applied - s->flange1_torque_command) <= s->M1_moved_torque) ? 3005.0 :
+        !(M2_difference <= p->M2_frozen_limit || s->flange2_torque_still_time <= p->frozen_time ||
+        differential_gearboxes_abs(M2_applied - s->flange2_torque_command) <= s->M2_moved_torque) ? 3006.0 :
+        !(M2_difference <= p->M2_frozen_limit || s->M2_speed_still_time <= p->frozen_time) ? 3007.0 :
+        !(M3_difference <= p->M3_frozen_limit || s->flange3_torque_still_time <= p->frozen_time ||
+        differential_gearboxes_abs(M3_applied - s->flange3_torque_command) <= s->M3_moved_torque) ? 3008.0 :
+        !(M3_difference <= p->M3_frozen_limit || s->M3_speed_still_time <= p->frozen_time) ? 3009.0 :
+        !(s->M1_disagreement_time <= s->bridged_time) ? 5004.0 :
+        !(s->M2_disagreement_time <= s->bridged_time) ? 5007.0 :
+        !(s->M3_disagreement_time <= s->bridged_time) ? 5009.0 :
+        !(s->flange1_torque_swings <= 5.5) ? 6005.0 :
+        !(s->flange2_torque_swings <= 5.5) ? 6006.0 :
+        !(s->flange3_torque_swings <= 5.5) ? 6008.0 :
+        !(s->M1_torque_ref_swings <= 5.5) ? 8001.0 :
+        !(s->M2_torque_ref_swings <= 5.5) ? 8002.0 :
+        !(s->M3_torque_ref_swings <= 5.5) ? 8003.0 :
+        0.0;
+    s->fault = differential_gearboxes_select(s->fault > 0.5, s->fault, cause_of_watching);
     /* limit of the rate */
-    const differential_gearboxes_real M2_speed_ref_before = differential_gearboxes_select(s->running > 0.5,
-        s->M2_speed_ref_limited, s->M2_speed_held);
+    const differential_gearboxes_real M2_speed_ref_before = s->M2_speed_ref_limited;
     s->M2_speed_ref_limited = M2_speed_ref_before + differential_gearboxes_max(-s->M2_speed_ref_step,
         differential_gearboxes_min(s->M2_speed_ref_step, -M2_speed_ref_before + s->M2_speed_ref_held));
-    const differential_gearboxes_real M3_speed_ref_before = differential_gearboxes_select(s->running > 0.5,
-        s->M3_speed_ref_limited, s->M3_speed_held);
+    const differential_gearboxes_real M3_speed_ref_before = s->M3_speed_ref_limited;
     s->M3_speed_ref_limited = M3_speed_ref_before + differential_gearboxes_max(-s->M3_speed_ref_step,
         differential_gearboxes_min(s->M3_speed_ref_step, -M3_speed_ref_before + s->M3_speed_ref_held));
     const differential_gearboxes_real M2_speed_error = -s->M2_speed_held + s->M2_speed_ref_limited;
@@ -785,8 +738,8 @@ differential_gearboxes_controller_status differential_gearboxes_controller_step(
     const differential_gearboxes_real M2_given_away = M2_compensation * (load_compensation_before -
         s->load_compensation_now);
     /* PI speed control (5.84) */
-    const differential_gearboxes_real M2_integral_before = differential_gearboxes_select(p->M2_speed_integral_gain >
-        0.0, M2_given_away, 0.0) + differential_gearboxes_select(s->running > 0.5, s->M2_speed_integral, 0.0);
+    const differential_gearboxes_real M2_integral_before = s->M2_speed_integral +
+        differential_gearboxes_select(p->M2_speed_integral_gain > 0.0, M2_given_away, 0.0);
     const differential_gearboxes_real M2_asked = M2_integral_before + M2_speed_error * p->M2_speed_gain;
     const differential_gearboxes_real M2_wanted = M2_asked + M2_compensation * s->load_compensation_now;
     /* torque-speed envelope */
@@ -806,8 +759,8 @@ differential_gearboxes_controller_status differential_gearboxes_controller_step(
     const differential_gearboxes_real M3_given_away = M3_compensation * (load_compensation_before -
         s->load_compensation_now);
     /* PI speed control (5.84) */
-    const differential_gearboxes_real M3_integral_before = differential_gearboxes_select(p->M3_speed_integral_gain >
-        0.0, M3_given_away, 0.0) + differential_gearboxes_select(s->running > 0.5, s->M3_speed_integral, 0.0);
+    const differential_gearboxes_real M3_integral_before = s->M3_speed_integral +
+        differential_gearboxes_select(p->M3_speed_integral_gain > 0.0, M3_given_away, 0.0);
     const differential_gearboxes_real M3_asked = M3_integral_before + M3_speed_error * p->M3_speed_gain;
     const differential_gearboxes_real M3_wanted = M3_asked + M3_compensation * s->load_compensation_now;
     /* torque-speed envelope */
@@ -824,26 +777,30 @@ differential_gearboxes_controller_status differential_gearboxes_controller_step(
     const differential_gearboxes_real diff_outputs_torque_estimate = s->M1_read_M2 * M2_net + s->M1_read_M3 * M3_net
         + s->M1_unread_M2 * M2_net + s->M1_unread_M3 * M3_net + s->flange2_torque_held * p->gearbox2_ratio +
         s->flange3_torque_held * p->gearbox3_ratio;
+    if (s->running <= 0.5) {
+        /* the first step, and the first one after a fault, starts anew */
+        s->diff_outputs_torque_ref_limited = diff_outputs_torque_estimate;
+    }
     /* limit of the rate */
-    const differential_gearboxes_real diff_outputs_torque_ref_before = differential_gearboxes_select(s->running >
-        0.5, s->diff_outputs_torque_ref_limited, diff_outputs_torque_estimate);
+    const differential_gearboxes_real diff_outputs_torque_ref_before = s->diff_outputs_torque_ref_limited;
     s->diff_outputs_torque_ref_limited = diff_outputs_torque_ref_before +
         differential_gearboxes_max(-s->diff_outputs_torque_ref_step,
         differential_gearboxes_min(s->diff_outputs_torque_ref_step, -diff_outputs_torque_ref_before +
         s->diff_outputs_torque_ref_held));
+    if (s->running <= 0.5) {
+        /* the first step, and the first one after a fault, starts anew */
+        s->M1_model_torque = diff_outputs_torque_estimate;
+    }
     /* torque model (5.57), (5.76) */
-    const differential_gearboxes_real M1_model_before = differential_gearboxes_select(s->running > 0.5,
-        s->M1_model_torque, diff_outputs_torque_estimate);
-    const differential_gearboxes_real M1_rate_before = differential_gearboxes_select(s->running > 0.5,
-        s->M1_model_rate, 0.0);
+    const differential_gearboxes_real M1_model_before = s->M1_model_torque;
+    const differential_gearboxes_real M1_rate_before = s->M1_model_rate;
     s->M1_model_rate = -s->M1_model_drag * M1_rate_before + s->M1_model_pull * (-M1_model_before +
         s->diff_outputs_torque_ref_limited) + M1_rate_before;
     s->M1_model_torque = M1_model_before + s->M1_model_rate * p->sample_time;
     const differential_gearboxes_real M1_torque_error = s->M1_model_torque * p->M1_torque_model -
         diff_outputs_torque_estimate + s->diff_outputs_torque_ref_limited * (1.0 - p->M1_torque_model);
     /* torque control (5.99) */
-    const differential_gearboxes_real M1_integral_before = differential_gearboxes_select(s->running > 0.5,
-        s->M1_torque_integral, 0.0);
+    const differential_gearboxes_real M1_integral_before = s->M1_torque_integral;
     const differential_gearboxes_real M1_virtual = p->M1_feedforward * s->diff_outputs_torque_ref_limited +
         M1_integral_before + M1_torque_error * p->M1_torque_gain;
     /* active damping (5.62), (5.78) */
@@ -868,53 +825,52 @@ differential_gearboxes_controller_status differential_gearboxes_controller_step(
     differential_gearboxes_real M1_released;
     differential_gearboxes_real M1_released_sound;
     differential_gearboxes_guard(M1_command, s->M1_largest, s->M1_last, &M1_released, &M1_released_sound);
-    const differential_gearboxes_real cause_fault_M1_torque_ref = differential_gearboxes_select(M1_released_sound <
-        1.0, 7001.0, 9999.0);
     differential_gearboxes_real M2_released;
     differential_gearboxes_real M2_released_sound;
     differential_gearboxes_guard(M2_command, s->M2_largest, s->M2_last, &M2_released, &M2_released_sound);
-    const differential_gearboxes_real cause_fault_M2_torque_ref = differential_gearboxes_select(M2_released_sound <
-        1.0, 7002.0, 9999.0);
     differential_gearboxes_real M3_released;
     differential_gearboxes_real M3_released_sound;
     differential_gearboxes_guard(M3_command, s->M3_largest, s->M3_last, &M3_released, &M3_released_sound);
-    const differential_gearboxes_real cause_fault_M3_torque_ref = differential_gearboxes_select(M3_released_sound <
-        1.0, 7003.0, 9999.0);
     /* the first fault is latched */
     const differential_gearboxes_real cause_of_commands =
-        differential_gearboxes_min(differential_gearboxes_min(cause_fault_M1_torque_ref, cause_fault_M2_torque_ref),
-        cause_fault_M3_torque_ref);
-    s->fault = differential_gearboxes_select(s->fault > 0.5, s->fault,
-        differential_gearboxes_select(cause_of_commands > 9998.0, 0.0, cause_of_commands));
+        !(M1_released_sound > 0.5) ? 7001.0 :
+        !(M2_released_sound > 0.5) ? 7002.0 :
+        !(M3_released_sound > 0.5) ? 7003.0 :
+        0.0;
+    s->fault = differential_gearboxes_select(s->fault > 0.5, s->fault, cause_of_commands);
     /* ramp of the torques */
     const differential_gearboxes_real authority_wanted = s->authority + differential_gearboxes_select(s->fault >
         0.5, -s->ramp_step, s->ramp_step);
     differential_gearboxes_share(authority_wanted, &s->authority);
     s->running = differential_gearboxes_select(s->fault > 0.5, 0.0, 1.0);
-    s->M1_last = differential_gearboxes_select(s->fault > 0.5, s->M1_last, M1_released);
+    if (s->fault <= 0.5) {
+        s->M1_last = M1_released;
+        s->M2_last = M2_released;
+        s->M3_last = M3_released;
+    }
     out->M1_torque_ref = differential_gearboxes_max(-3700.0, differential_gearboxes_min(3700.0, s->M1_last *
         s->authority));
-    s->M2_last = differential_gearboxes_select(s->fault > 0.5, s->M2_last, M2_released);
     out->M2_torque_ref = differential_gearboxes_max(-3700.0, differential_gearboxes_min(3700.0, s->M2_last *
         s->authority));
-    s->M3_last = differential_gearboxes_select(s->fault > 0.5, s->M3_last, M3_released);
     out->M3_torque_ref = differential_gearboxes_max(-3700.0, differential_gearboxes_min(3700.0, s->M3_last *
         s->authority));
     /* The last line of defence, should parameters have been changed without an update. */
-    if (!differential_gearboxes_is_finite(out->M1_torque_ref)) {
-        out->M1_torque_ref = 0.0;
-        s->fault = s->fault > 0.0 ? s->fault : DIFFERENTIAL_GEARBOXES_REAL(differential_gearboxes_controller_fault_M1_torque_ref);
-        s->running = 0.0;
-    }
-    if (!differential_gearboxes_is_finite(out->M2_torque_ref)) {
-        out->M2_torque_ref = 0.0;
-        s->fault = s->fault > 0.0 ? s->fault : DIFFERENTIAL_GEARBOXES_REAL(differential_gearboxes_controller_fault_M2_torque_ref);
-        s->running = 0.0;
-    }
-    if (!differential_gearboxes_is_finite(out->M3_torque_ref)) {
-        out->M3_torque_ref = 0.0;
-        s->fault = s->fault > 0.0 ? s->fault : DIFFERENTIAL_GEARBOXES_REAL(differential_gearboxes_controller_fault_M3_torque_ref);
-        s->running = 0.0;
+    if (!differential_gearboxes_is_finite(out->M1_torque_ref + out->M2_torque_ref + out->M3_torque_ref)) {
+        if (!differential_gearboxes_is_finite(out->M1_torque_ref)) {
+            out->M1_torque_ref = 0.0;
+            s->fault = s->fault > 0.0 ? s->fault : DIFFERENTIAL_GEARBOXES_REAL(differential_gearboxes_controller_fault_M1_torque_ref);
+            s->running = 0.0;
+        }
+        if (!differential_gearboxes_is_finite(out->M2_torque_ref)) {
+            out->M2_torque_ref = 0.0;
+            s->fault = s->fault > 0.0 ? s->fault : DIFFERENTIAL_GEARBOXES_REAL(differential_gearboxes_controller_fault_M2_torque_ref);
+            s->running = 0.0;
+        }
+        if (!differential_gearboxes_is_finite(out->M3_torque_ref)) {
+            out->M3_torque_ref = 0.0;
+            s->fault = s->fault > 0.0 ? s->fault : DIFFERENTIAL_GEARBOXES_REAL(differential_gearboxes_controller_fault_M3_torque_ref);
+            s->running = 0.0;
+        }
     }
     return (differential_gearboxes_controller_status)s->fault;
 }

@@ -195,17 +195,24 @@ typedef struct {
     differential_gearboxes_real M1_last; /* last torque of M1 before a fault (N m) */
     differential_gearboxes_real M2_last; /* last torque of M2 before a fault (N m) */
     differential_gearboxes_real M3_last; /* last torque of M3 before a fault (N m) */
+    differential_gearboxes_real bridged_time; /* for how long bad samples are bridged, with room for rounding (s) */
     differential_gearboxes_real switch_share; /* share of a change per step */
     differential_gearboxes_real M1_taper_slope; /* share of the torque of M1 per excess of speed (s/rad) */
     differential_gearboxes_real M1_taper_end; /* share at standstill if it were not limited */
+    differential_gearboxes_real M1_power; /* power of M1 above its rated speed (W) */
     differential_gearboxes_real M2_taper_slope; /* share of the torque of M2 per excess of speed (s/rad) */
     differential_gearboxes_real M2_taper_end; /* share at standstill if it were not limited */
+    differential_gearboxes_real M2_power; /* power of M2 above its rated speed (W) */
     differential_gearboxes_real M3_taper_slope; /* share of the torque of M3 per excess of speed (s/rad) */
     differential_gearboxes_real M3_taper_end; /* share at standstill if it were not limited */
+    differential_gearboxes_real M3_power; /* power of M3 above its rated speed (W) */
     differential_gearboxes_real disagreement_share; /* share of the difference that is forgotten per step */
     differential_gearboxes_real M1_per_step; /* change of speed of M1 per torque in a step (rad/s/(N m)) */
+    differential_gearboxes_real M1_moved_torque; /* change of the command to M1 that a torque must follow (N m) */
     differential_gearboxes_real M2_per_step; /* change of speed of M2 per torque in a step (rad/s/(N m)) */
+    differential_gearboxes_real M2_moved_torque; /* change of the command to M2 that a torque must follow (N m) */
     differential_gearboxes_real M3_per_step; /* change of speed of M3 per torque in a step (rad/s/(N m)) */
+    differential_gearboxes_real M3_moved_torque; /* change of the command to M3 that a torque must follow (N m) */
     differential_gearboxes_real forgotten_swings; /* half swings that are forgotten per step */
     differential_gearboxes_real mean_share; /* share of a step in the mean of a torque */
     differential_gearboxes_real M2_speed_ref_step; /* largest change of M2_speed_ref in a step (rad/s) */

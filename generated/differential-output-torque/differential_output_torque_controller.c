@@ -336,17 +336,24 @@ differential_output_torque_controller_status differential_output_torque_controll
             return (differential_output_torque_controller_status)(2000 + k);
         }
     }
+    s->bridged_time = p->hold_time + (0.5) * p->sample_time;
     s->switch_share = p->sample_time / p->switch_time;
     s->M1_taper_slope = 1.0 / p->M1_speed_taper;
     s->M1_taper_end = p->M1_speed_max / p->M1_speed_taper + 1.0;
+    s->M1_power = p->M1_speed_rated * p->M1_torque_max;
     s->M2_taper_slope = 1.0 / p->M2_speed_taper;
     s->M2_taper_end = p->M2_speed_max / p->M2_speed_taper + 1.0;
+    s->M2_power = p->M2_speed_rated * p->M2_torque_max;
     s->M3_taper_slope = 1.0 / p->M3_speed_taper;
     s->M3_taper_end = p->M3_speed_max / p->M3_speed_taper + 1.0;
+    s->M3_power = p->M3_speed_rated * p->M3_torque_max;
     s->disagreement_share = p->disagreement_leak * p->sample_time;
     s->M1_per_step = p->sample_time / p->M1_inertia;
+    s->M1_moved_torque = 0.05 * p->M1_torque_max;
     s->M2_per_step = p->sample_time / p->M2_inertia;
+    s->M2_moved_torque = 0.05 * p->M2_torque_max;
     s->M3_per_step = p->sample_time / p->M3_inertia;
+    s->M3_moved_torque = 0.05 * p->M3_torque_max;
     s->forgotten_swings = p->oscillation_frequency * p->sample_time;
     s->mean_share = 6.2832 * p->oscillation_frequency * p->sample_time;
     s->M1_speed_ref_step = p->M1_speed_ref_rate * p->sample_time;
@@ -379,189 +386,195 @@ differential_output_torque_controller_status differential_output_torque_controll
     differential_output_torque_real diff_output1_torque_ref_sound;
     differential_output_torque_guard(in->diff_output1_torque_ref, p->diff_output1_torque_ref_plausible,
         s->diff_output1_torque_ref_held, &s->diff_output1_torque_ref_held, &diff_output1_torque_ref_sound);
-    differential_output_torque_real diff_output1_torque_ref_lost;
     differential_output_torque_lasting(diff_output1_torque_ref_sound, s->diff_output1_torque_ref_bad_time,
-        p->sample_time, p->hold_time, &s->diff_output1_torque_ref_bad_time, &diff_output1_torque_ref_lost);
-    const differential_output_torque_real cause_fault_diff_output1_torque_ref =
-        differential_output_torque_select(diff_output1_torque_ref_lost > 0.0, 1.0, 9999.0);
+        p->sample_time, p->hold_time, &s->diff_output1_torque_ref_bad_time);
     differential_output_torque_real M1_speed_ref_sound;
     differential_output_torque_guard(in->M1_speed_ref, p->M1_speed_ref_plausible, s->M1_speed_ref_held,
         &s->M1_speed_ref_held, &M1_speed_ref_sound);
-    differential_output_torque_real M1_speed_ref_lost;
     differential_output_torque_lasting(M1_speed_ref_sound, s->M1_speed_ref_bad_time, p->sample_time, p->hold_time,
-        &s->M1_speed_ref_bad_time, &M1_speed_ref_lost);
-    const differential_output_torque_real cause_fault_M1_speed_ref =
-        differential_output_torque_select(M1_speed_ref_lost > 0.0, 2.0, 9999.0);
+        &s->M1_speed_ref_bad_time);
     differential_output_torque_real M3_speed_ref_sound;
     differential_output_torque_guard(in->M3_speed_ref, p->M3_speed_ref_plausible, s->M3_speed_ref_held,
         &s->M3_speed_ref_held, &M3_speed_ref_sound);
-    differential_output_torque_real M3_speed_ref_lost;
     differential_output_torque_lasting(M3_speed_ref_sound, s->M3_speed_ref_bad_time, p->sample_time, p->hold_time,
-        &s->M3_speed_ref_bad_time, &M3_speed_ref_lost);
-    const differential_output_torque_real cause_fault_M3_speed_ref =
-        differential_output_torque_select(M3_speed_ref_lost > 0.0, 3.0, 9999.0);
+        &s->M3_speed_ref_bad_time);
     differential_output_torque_real M1_speed_sound;
     differential_output_torque_guard(in->M1_speed, p->M1_speed_plausible, s->M1_speed_held, &s->M1_speed_held,
         &M1_speed_sound);
-    differential_output_torque_real M1_speed_lost;
     differential_output_torque_lasting(M1_speed_sound, s->M1_speed_bad_time, p->sample_time, p->hold_time,
-        &s->M1_speed_bad_time, &M1_speed_lost);
-    const differential_output_torque_real cause_fault_M1_speed = differential_output_torque_select(M1_speed_lost >
-        0.0, 4.0, 9999.0);
+        &s->M1_speed_bad_time);
     differential_output_torque_real flange1_torque_sound;
     differential_output_torque_guard(in->flange1_torque, p->flange1_torque_plausible, s->flange1_torque_held,
         &s->flange1_torque_held, &flange1_torque_sound);
-    differential_output_torque_real flange1_torque_lost;
     differential_output_torque_lasting(flange1_torque_sound, s->flange1_torque_bad_time, p->sample_time,
-        p->hold_time, &s->flange1_torque_bad_time, &flange1_torque_lost);
-    const differential_output_torque_real cause_fault_flange1_torque =
-        differential_output_torque_select(flange1_torque_lost > 0.0, 5.0, 9999.0);
+        p->hold_time, &s->flange1_torque_bad_time);
     differential_output_torque_real flange2_torque_sound;
     differential_output_torque_guard(in->flange2_torque, p->flange2_torque_plausible, s->flange2_torque_held,
         &s->flange2_torque_held, &flange2_torque_sound);
-    differential_output_torque_real flange2_torque_lost;
     differential_output_torque_lasting(flange2_torque_sound, s->flange2_torque_bad_time, p->sample_time,
-        p->hold_time, &s->flange2_torque_bad_time, &flange2_torque_lost);
-    const differential_output_torque_real cause_fault_flange2_torque =
-        differential_output_torque_select(flange2_torque_lost > 0.0, 6.0, 9999.0);
+        p->hold_time, &s->flange2_torque_bad_time);
     differential_output_torque_real M2_speed_sound;
     differential_output_torque_guard(in->M2_speed, p->M2_speed_plausible, s->M2_speed_held, &s->M2_speed_held,
         &M2_speed_sound);
-    differential_output_torque_real M2_speed_lost;
     differential_output_torque_lasting(M2_speed_sound, s->M2_speed_bad_time, p->sample_time, p->hold_time,
-        &s->M2_speed_bad_time, &M2_speed_lost);
-    const differential_output_torque_real cause_fault_M2_speed = differential_output_torque_select(M2_speed_lost >
-        0.0, 7.0, 9999.0);
+        &s->M2_speed_bad_time);
     differential_output_torque_real flange3_torque_sound;
     differential_output_torque_guard(in->flange3_torque, p->flange3_torque_plausible, s->flange3_torque_held,
         &s->flange3_torque_held, &flange3_torque_sound);
-    differential_output_torque_real flange3_torque_lost;
     differential_output_torque_lasting(flange3_torque_sound, s->flange3_torque_bad_time, p->sample_time,
-        p->hold_time, &s->flange3_torque_bad_time, &flange3_torque_lost);
-    const differential_output_torque_real cause_fault_flange3_torque =
-        differential_output_torque_select(flange3_torque_lost > 0.0, 8.0, 9999.0);
+        p->hold_time, &s->flange3_torque_bad_time);
     differential_output_torque_real M3_speed_sound;
     differential_output_torque_guard(in->M3_speed, p->M3_speed_plausible, s->M3_speed_held, &s->M3_speed_held,
         &M3_speed_sound);
-    differential_output_torque_real M3_speed_lost;
     differential_output_torque_lasting(M3_speed_sound, s->M3_speed_bad_time, p->sample_time, p->hold_time,
-        &s->M3_speed_bad_time, &M3_speed_lost);
-    const differential_output_torque_real cause_fault_M3_speed = differential_output_torque_select(M3_speed_lost >
-        0.0, 9.0, 9999.0);
+        &s->M3_speed_bad_time);
     /* overspeed */
     const differential_output_torque_real M1_slow_enough = differential_output_torque_select(p->M1_overspeed >=
         differential_output_torque_abs(s->M1_speed_held), 1.0, 0.0);
-    differential_output_torque_real M1_too_fast;
     differential_output_torque_lasting(M1_slow_enough, s->M1_overspeed_time, p->sample_time, p->hold_time,
-        &s->M1_overspeed_time, &M1_too_fast);
-    const differential_output_torque_real cause_fault_M1_speed_overspeed =
-        differential_output_torque_select(M1_too_fast > 0.0, 4004.0, 9999.0);
+        &s->M1_overspeed_time);
     const differential_output_torque_real M2_slow_enough = differential_output_torque_select(p->M2_overspeed >=
         differential_output_torque_abs(s->M2_speed_held), 1.0, 0.0);
-    differential_output_torque_real M2_too_fast;
     differential_output_torque_lasting(M2_slow_enough, s->M2_overspeed_time, p->sample_time, p->hold_time,
-        &s->M2_overspeed_time, &M2_too_fast);
-    const differential_output_torque_real cause_fault_M2_speed_overspeed =
-        differential_output_torque_select(M2_too_fast > 0.0, 4007.0, 9999.0);
+        &s->M2_overspeed_time);
     const differential_output_torque_real M3_slow_enough = differential_output_torque_select(p->M3_overspeed >=
         differential_output_torque_abs(s->M3_speed_held), 1.0, 0.0);
-    differential_output_torque_real M3_too_fast;
     differential_output_torque_lasting(M3_slow_enough, s->M3_overspeed_time, p->sample_time, p->hold_time,
-        &s->M3_overspeed_time, &M3_too_fast);
-    const differential_output_torque_real cause_fault_M3_speed_overspeed =
-        differential_output_torque_select(M3_too_fast > 0.0, 4009.0, 9999.0);
+        &s->M3_overspeed_time);
     /* reset on request, when the cause is gone */
     const differential_output_torque_real reset_pressed =
         differential_output_torque_select(differential_output_torque_abs(in->reset - 1.0) <= 0.5, 1.0, 0.0);
-    const differential_output_torque_real inputs_sound =
-        differential_output_torque_min(differential_output_torque_min(differential_output_torque_min(differential_output_torque_min(M1_slow_enough,
-        M1_speed_ref_sound), differential_output_torque_min(M1_speed_sound, M2_slow_enough)),
-        differential_output_torque_min(differential_output_torque_min(M2_speed_sound, M3_slow_enough),
-        differential_output_torque_min(M3_speed_ref_sound, M3_speed_sound))),
-        differential_output_torque_min(differential_output_torque_min(diff_output1_torque_ref_sound,
-        flange1_torque_sound), differential_output_torque_min(flange2_torque_sound, flange3_torque_sound)));
-    const differential_output_torque_real latched = differential_output_torque_select(s->fault > 0.5, 1.0, 0.0);
-    s->reset_request = inputs_sound * latched * (1.0 - s->refused) *
-        differential_output_torque_max(s->reset_request, -s->reset_before + reset_pressed);
+    s->reset_request = differential_output_torque_select(s->fault > 0.5,
+        differential_output_torque_select(p->M1_overspeed >= differential_output_torque_abs(s->M1_speed_held) &&
+        p->M1_speed_plausible >= differential_output_torque_abs(in->M1_speed) && p->M1_speed_ref_plausible >=
+        differential_output_torque_abs(in->M1_speed_ref) && p->M2_overspeed >=
+        differential_output_torque_abs(s->M2_speed_held) && p->M2_speed_plausible >=
+        differential_output_torque_abs(in->M2_speed) && p->M3_overspeed >=
+        differential_output_torque_abs(s->M3_speed_held) && p->M3_speed_plausible >=
+        differential_output_torque_abs(in->M3_speed) && p->M3_speed_ref_plausible >=
+        differential_output_torque_abs(in->M3_speed_ref) && p->diff_output1_torque_ref_plausible >=
+        differential_output_torque_abs(in->diff_output1_torque_ref) && p->flange1_torque_plausible >=
+        differential_output_torque_abs(in->flange1_torque) && p->flange2_torque_plausible >=
+        differential_output_torque_abs(in->flange2_torque) && p->flange3_torque_plausible >=
+        differential_output_torque_abs(in->flange3_torque), (1.0 - s->refused) *
+        differential_output_torque_max(s->reset_request, -s->reset_before + reset_pressed), 0.0), 0.0);
     s->reset_before = reset_pressed;
     s->fault = s->fault * (1.0 - differential_output_torque_select(s->authority <= 0.0, s->reset_request, 0.0));
     s->reset_request = differential_output_torque_select(s->fault > 0.5, s->reset_request, 0.0);
     /* the first fault is latched */
     const differential_output_torque_real cause_of_inputs =
-        differential_output_torque_min(differential_output_torque_min(differential_output_torque_min(differential_output_torque_min(cause_fault_M1_speed,
-        cause_fault_M1_speed_overspeed), differential_output_torque_min(cause_fault_M1_speed_ref,
-        cause_fault_M2_speed)),
-        differential_output_torque_min(differential_output_torque_min(cause_fault_M2_speed_overspeed,
-        cause_fault_M3_speed), differential_output_torque_min(cause_fault_M3_speed_overspeed,
-        cause_fault_M3_speed_ref))),
-        differential_output_torque_min(differential_output_torque_min(cause_fault_diff_output1_torque_ref,
-        cause_fault_flange1_torque), differential_output_torque_min(cause_fault_flange2_torque,
-        cause_fault_flange3_torque)));
-    s->fault = differential_output_torque_select(s->fault > 0.5, s->fault,
-        differential_output_torque_select(cause_of_inputs > 9998.0, 0.0, cause_of_inputs));
+        !(s->diff_output1_torque_ref_bad_time <= s->bridged_time) ? 1.0 :
+        !(s->M1_speed_ref_bad_time <= s->bridged_time) ? 2.0 :
+        !(s->M3_speed_ref_bad_time <= s->bridged_time) ? 3.0 :
+        !(s->M1_speed_bad_time <= s->bridged_time) ? 4.0 :
+        !(s->flange1_torque_bad_time <= s->bridged_time) ? 5.0 :
+        !(s->flange2_torque_bad_time <= s->bridged_time) ? 6.0 :
+        !(s->M2_speed_bad_time <= s->bridged_time) ? 7.0 :
+        !(s->flange3_torque_bad_time <= s->bridged_time) ? 8.0 :
+        !(s->M3_speed_bad_time <= s->bridged_time) ? 9.0 :
+        !(s->M1_overspeed_time <= s->bridged_time) ? 4004.0 :
+        !(s->M2_overspeed_time <= s->bridged_time) ? 4007.0 :
+        !(s->M3_overspeed_time <= s->bridged_time) ? 4009.0 :
+        0.0;
+    s->fault = differential_output_torque_select(s->fault > 0.5, s->fault, cause_of_inputs);
+    if (s->running <= 0.5) {
+        /* the first step, and the first one after a fault, starts anew */
+        s->load_compensation_now = p->load_compensation;
+        s->acceleration_torque_now = p->acceleration_torque;
+        s->M2_damping_now = p->M2_damping;
+        s->M1_integrated = s->M1_speed_held;
+        s->M1_speed_still_time = 0.0;
+        s->flange1_torque_still_time = 0.0;
+        s->M2_integrated = s->M2_speed_held;
+        s->M2_speed_still_time = 0.0;
+        s->flange2_torque_still_time = 0.0;
+        s->M3_integrated = s->M3_speed_held;
+        s->M3_speed_still_time = 0.0;
+        s->flange3_torque_still_time = 0.0;
+        s->flange1_torque_mean = s->flange1_torque_held;
+        s->flange1_torque_swings = 0.0;
+        s->flange2_torque_mean = s->flange2_torque_held;
+        s->flange2_torque_swings = 0.0;
+        s->flange3_torque_mean = s->flange3_torque_held;
+        s->flange3_torque_swings = 0.0;
+        s->M1_torque_ref_mean = 0.0;
+        s->M1_torque_ref_swings = 0.0;
+        s->M2_torque_ref_mean = 0.0;
+        s->M2_torque_ref_swings = 0.0;
+        s->M3_torque_ref_mean = 0.0;
+        s->M3_torque_ref_swings = 0.0;
+        s->M1_speed_ref_limited = s->M1_speed_held;
+        s->M3_speed_ref_limited = s->M3_speed_held;
+        s->M1_speed_integral = 0.0;
+        s->M3_speed_integral = 0.0;
+        s->M2_model_rate = 0.0;
+        s->M2_torque_integral = 0.0;
+    }
     /* load_compensation follows its parameter along a ramp */
-    const differential_output_torque_real load_compensation_before = differential_output_torque_select(s->running >
-        0.5, s->load_compensation_now, p->load_compensation);
+    const differential_output_torque_real load_compensation_before = s->load_compensation_now;
     const differential_output_torque_real load_compensation_distance = p->load_compensation -
         load_compensation_before;
-    const differential_output_torque_real load_compensation_moved =
-        differential_output_torque_select(p->load_compensation != s->load_compensation_target,
-        differential_output_torque_max(s->switch_share * differential_output_torque_abs(load_compensation_distance),
-        1e-06 * differential_output_torque_abs(p->load_compensation) + 1e-06 *
-        differential_output_torque_abs(load_compensation_before)), s->load_compensation_step);
-    s->load_compensation_now = differential_output_torque_select(load_compensation_distance >
-        load_compensation_moved, load_compensation_before + load_compensation_moved,
-        differential_output_torque_select(load_compensation_distance < -load_compensation_moved,
-        load_compensation_before - load_compensation_moved, p->load_compensation));
-    s->load_compensation_step = differential_output_torque_select(load_compensation_moved <
-        differential_output_torque_abs(load_compensation_distance), load_compensation_moved, 0.0);
+    if (p->load_compensation != s->load_compensation_target) {
+        s->load_compensation_step = differential_output_torque_max(s->switch_share *
+            differential_output_torque_abs(load_compensation_distance), 1e-06 *
+            differential_output_torque_abs(p->load_compensation) + 1e-06 *
+            differential_output_torque_abs(load_compensation_before));
+    }
+    s->load_compensation_now = differential_output_torque_select(s->load_compensation_step <
+        differential_output_torque_abs(load_compensation_distance), load_compensation_before +
+        differential_output_torque_max(-s->load_compensation_step,
+        differential_output_torque_min(load_compensation_distance, s->load_compensation_step)),
+        p->load_compensation);
+    s->load_compensation_step = differential_output_torque_select(s->load_compensation_step <
+        differential_output_torque_abs(load_compensation_distance), s->load_compensation_step, 0.0);
     s->load_compensation_target = p->load_compensation;
     /* acceleration_torque follows its parameter along a ramp */
-    const differential_output_torque_real acceleration_torque_before = differential_output_torque_select(s->running
-        > 0.5, s->acceleration_torque_now, p->acceleration_torque);
+    const differential_output_torque_real acceleration_torque_before = s->acceleration_torque_now;
     const differential_output_torque_real acceleration_torque_distance = p->acceleration_torque -
         acceleration_torque_before;
-    const differential_output_torque_real acceleration_torque_moved =
-        differential_output_torque_select(p->acceleration_torque != s->acceleration_torque_target,
-        differential_output_torque_max(s->switch_share *
-        differential_output_torque_abs(acceleration_torque_distance), 1e-06 *
-        differential_output_torque_abs(p->acceleration_torque) + 1e-06 *
-        differential_output_torque_abs(acceleration_torque_before)), s->acceleration_torque_step);
-    s->acceleration_torque_now = differential_output_torque_select(acceleration_torque_distance >
-        acceleration_torque_moved, acceleration_torque_before + acceleration_torque_moved,
-        differential_output_torque_select(acceleration_torque_distance < -acceleration_torque_moved,
-        acceleration_torque_before - acceleration_torque_moved, p->acceleration_torque));
-    s->acceleration_torque_step = differential_output_torque_select(acceleration_torque_moved <
-        differential_output_torque_abs(acceleration_torque_distance), acceleration_torque_moved, 0.0);
+    if (p->acceleration_torque != s->acceleration_torque_target) {
+        s->acceleration_torque_step = differential_output_torque_max(s->switch_share *
+            differential_output_torque_abs(acceleration_torque_distance), 1e-06 *
+            differential_output_torque_abs(p->acceleration_torque) + 1e-06 *
+            differential_output_torque_abs(acceleration_torque_before));
+    }
+    s->acceleration_torque_now = differential_output_torque_select(s->acceleration_torque_step <
+        differential_output_torque_abs(acceleration_torque_distance), acceleration_torque_before +
+        differential_output_torque_max(-s->acceleration_torque_step,
+        differential_output_torque_min(acceleration_torque_distance, s->acceleration_torque_step)),
+        p->acceleration_torque);
+    s->acceleration_torque_step = differential_output_torque_select(s->acceleration_torque_step <
+        differential_output_torque_abs(acceleration_torque_distance), s->acceleration_torque_step, 0.0);
     s->acceleration_torque_target = p->acceleration_torque;
     /* M2_damping follows its parameter along a ramp */
-    const differential_output_torque_real M2_damping_before = differential_output_torque_select(s->running > 0.5,
-        s->M2_damping_now, p->M2_damping);
+    const differential_output_torque_real M2_damping_before = s->M2_damping_now;
     const differential_output_torque_real M2_damping_distance = p->M2_damping - M2_damping_before;
-    const differential_output_torque_real M2_damping_moved = differential_output_torque_select(p->M2_damping !=
-        s->M2_damping_target, differential_output_torque_max(s->switch_share *
-        differential_output_torque_abs(M2_damping_distance), 1e-06 * differential_output_torque_abs(p->M2_damping) +
-        1e-06 * differential_output_torque_abs(M2_damping_before)), s->M2_damping_step);
-    s->M2_damping_now = differential_output_torque_select(M2_damping_distance > M2_damping_moved, M2_damping_before
-        + M2_damping_moved, differential_output_torque_select(M2_damping_distance < -M2_damping_moved,
-        M2_damping_before - M2_damping_moved, p->M2_damping));
-    s->M2_damping_step = differential_output_torque_select(M2_damping_moved <
-        differential_output_torque_abs(M2_damping_distance), M2_damping_moved, 0.0);
+    if (p->M2_damping != s->M2_damping_target) {
+        s->M2_damping_step = differential_output_torque_max(s->switch_share *
+            differential_output_torque_abs(M2_damping_distance), 1e-06 * differential_output_torque_abs(p->M2_damping) +
+            1e-06 * differential_output_torque_abs(M2_damping_before));
+    }
+    s->M2_damping_now = differential_output_torque_select(s->M2_damping_step <
+        differential_output_torque_abs(M2_damping_distance), M2_damping_before +
+        differential_output_torque_max(-s->M2_damping_step, differential_output_torque_min(M2_damping_distance,
+        s->M2_damping_step)), p->M2_damping);
+    s->M2_damping_step = differential_output_torque_select(s->M2_damping_step <
+        differential_output_torque_abs(M2_damping_distance), s->M2_damping_step, 0.0);
     s->M2_damping_target = p->M2_damping;
     /* torque-speed envelope, Figure 7.1 */
-    const differential_output_torque_real M1_available = p->M1_speed_rated * p->M1_torque_max /
+    const differential_output_torque_real M1_available = s->M1_power /
         differential_output_torque_max(p->M1_speed_rated, differential_output_torque_abs(s->M1_speed_held));
     const differential_output_torque_real M1_least = -M1_available * differential_output_torque_max(0.0,
         differential_output_torque_min(1.0, s->M1_speed_held * s->M1_taper_slope + s->M1_taper_end));
     const differential_output_torque_real M1_most = M1_available * differential_output_torque_max(0.0,
         differential_output_torque_min(1.0, -s->M1_speed_held * s->M1_taper_slope + s->M1_taper_end));
-    const differential_output_torque_real M2_available = p->M2_speed_rated * p->M2_torque_max /
+    const differential_output_torque_real M2_available = s->M2_power /
         differential_output_torque_max(p->M2_speed_rated, differential_output_torque_abs(s->M2_speed_held));
     const differential_output_torque_real M2_least = -M2_available * differential_output_torque_max(0.0,
         differential_output_torque_min(1.0, s->M2_speed_held * s->M2_taper_slope + s->M2_taper_end));
     const differential_output_torque_real M2_most = M2_available * differential_output_torque_max(0.0,
         differential_output_torque_min(1.0, -s->M2_speed_held * s->M2_taper_slope + s->M2_taper_end));
-    const differential_output_torque_real M3_available = p->M3_speed_rated * p->M3_torque_max /
+    const differential_output_torque_real M3_available = s->M3_power /
         differential_output_torque_max(p->M3_speed_rated, differential_output_torque_abs(s->M3_speed_held));
     const differential_output_torque_real M3_least = -M3_available * differential_output_torque_max(0.0,
         differential_output_torque_min(1.0, s->M3_speed_held * s->M3_taper_slope + s->M3_taper_end));
@@ -572,8 +585,7 @@ differential_output_torque_controller_status differential_output_torque_controll
     const differential_output_torque_real M2_applied = s->M2_last * s->authority;
     const differential_output_torque_real M3_applied = s->M3_last * s->authority;
     /* speed from the torques on the rotor */
-    const differential_output_torque_real M1_integrated_before = differential_output_torque_select(s->running > 0.5,
-        s->M1_integrated, s->M1_speed_held);
+    const differential_output_torque_real M1_integrated_before = s->M1_integrated;
     s->M1_integrated = M1_integrated_before + s->M1_per_step * (M1_applied - s->flange1_torque_held) +
         s->disagreement_share * (-M1_integrated_before + s->M1_speed_held);
     const differential_output_torque_real M1_difference = differential_output_torque_abs(s->M1_integrated -
@@ -581,34 +593,20 @@ differential_output_torque_controller_status differential_output_torque_controll
     /* speed against torques */
     const differential_output_torque_real M1_agrees = differential_output_torque_select(M1_difference <=
         p->M1_disagreement_limit, 1.0, 0.0);
-    differential_output_torque_real M1_disagrees;
     differential_output_torque_lasting(M1_agrees, s->M1_disagreement_time, p->sample_time, p->hold_time,
-        &s->M1_disagreement_time, &M1_disagrees);
+        &s->M1_disagreement_time);
     /* M1_speed to the last bit */
-    s->M1_speed_still_time = differential_output_torque_select(s->running > 0.5, s->M1_speed_still_time, 0.0);
     differential_output_torque_still(s->M1_speed_held, s->M1_speed_before, s->M1_speed_still_time, p->sample_time,
         &s->M1_speed_still_time);
     s->M1_speed_before = s->M1_speed_held;
-    const differential_output_torque_real cause_fault_M1_speed_frozen =
-        differential_output_torque_select(differential_output_torque_min(M1_difference - p->M1_frozen_limit,
-        s->M1_speed_still_time - p->frozen_time) > 0.0, 3004.0, 9999.0);
-    const differential_output_torque_real cause_fault_M1_speed_disagreement =
-        differential_output_torque_select(M1_disagrees > 0.0, 5004.0, 9999.0);
     /* flange1_torque to the last bit */
-    s->flange1_torque_still_time = differential_output_torque_select(s->running > 0.5, s->flange1_torque_still_time,
-        0.0);
     differential_output_torque_still(s->flange1_torque_held, s->flange1_torque_before, s->flange1_torque_still_time,
         p->sample_time, &s->flange1_torque_still_time);
     s->flange1_torque_before = s->flange1_torque_held;
     s->flange1_torque_command = differential_output_torque_select(s->flange1_torque_still_time > 0.0,
         s->flange1_torque_command, M1_applied);
-    const differential_output_torque_real cause_fault_flange1_torque_frozen =
-        differential_output_torque_select(differential_output_torque_min(differential_output_torque_min(M1_difference
-        - p->M1_frozen_limit, s->flange1_torque_still_time - p->frozen_time), -0.05 * p->M1_torque_max +
-        differential_output_torque_abs(M1_applied - s->flange1_torque_command)) > 0.0, 3005.0, 9999.0);
     /* speed from the torques on the rotor */
-    const differential_output_torque_real M2_integrated_before = differential_output_torque_select(s->running > 0.5,
-        s->M2_integrated, s->M2_speed_held);
+    const differential_output_torque_real M2_integrated_before = s->M2_integrated;
     s->M2_integrated = M2_integrated_before + s->M2_per_step * (M2_applied + s->flange2_torque_held) +
         s->disagreement_share * (-M2_integrated_before + s->M2_speed_held);
     const differential_output_torque_real M2_difference = differential_output_torque_abs(s->M2_integrated -
@@ -616,34 +614,20 @@ differential_output_torque_controller_status differential_output_torque_controll
     /* speed against torques */
     const differential_output_torque_real M2_agrees = differential_output_torque_select(M2_difference <=
         p->M2_disagreement_limit, 1.0, 0.0);
-    differential_output_torque_real M2_disagrees;
     differential_output_torque_lasting(M2_agrees, s->M2_disagreement_time, p->sample_time, p->hold_time,
-        &s->M2_disagreement_time, &M2_disagrees);
+        &s->M2_disagreement_time);
     /* M2_speed to the last bit */
-    s->M2_speed_still_time = differential_output_torque_select(s->running > 0.5, s->M2_speed_still_time, 0.0);
     differential_output_torque_still(s->M2_speed_held, s->M2_speed_before, s->M2_speed_still_time, p->sample_time,
         &s->M2_speed_still_time);
     s->M2_speed_before = s->M2_speed_held;
-    const differential_output_torque_real cause_fault_M2_speed_frozen =
-        differential_output_torque_select(differential_output_torque_min(M2_difference - p->M2_frozen_limit,
-        s->M2_speed_still_time - p->frozen_time) > 0.0, 3007.0, 9999.0);
-    const differential_output_torque_real cause_fault_M2_speed_disagreement =
-        differential_output_torque_select(M2_disagrees > 0.0, 5007.0, 9999.0);
     /* flange2_torque to the last bit */
-    s->flange2_torque_still_time = differential_output_torque_select(s->running > 0.5, s->flange2_torque_still_time,
-        0.0);
     differential_output_torque_still(s->flange2_torque_held, s->flange2_torque_before, s->flange2_torque_still_time,
         p->sample_time, &s->flange2_torque_still_time);
     s->flange2_torque_before = s->flange2_torque_held;
     s->flange2_torque_command = differential_output_torque_select(s->flange2_torque_still_time > 0.0,
         s->flange2_torque_command, M2_applied);
-    const differential_output_torque_real cause_fault_flange2_torque_frozen =
-        differential_output_torque_select(differential_output_torque_min(differential_output_torque_min(M2_difference
-        - p->M2_frozen_limit, s->flange2_torque_still_time - p->frozen_time), -0.05 * p->M2_torque_max +
-        differential_output_torque_abs(M2_applied - s->flange2_torque_command)) > 0.0, 3006.0, 9999.0);
     /* speed from the torques on the rotor */
-    const differential_output_torque_real M3_integrated_before = differential_output_torque_select(s->running > 0.5,
-        s->M3_integrated, s->M3_speed_held);
+    const differential_output_torque_real M3_integrated_before = s->M3_integrated;
     s->M3_integrated = M3_integrated_before + s->M3_per_step * (M3_applied + s->flange3_torque_held) +
         s->disagreement_share * (-M3_integrated_before + s->M3_speed_held);
     const differential_output_torque_real M3_difference = differential_output_torque_abs(s->M3_integrated -
@@ -651,122 +635,90 @@ differential_output_torque_controller_status differential_output_torque_controll
     /* speed against torques */
     const differential_output_torque_real M3_agrees = differential_output_torque_select(M3_difference <=
         p->M3_disagreement_limit, 1.0, 0.0);
-    differential_output_torque_real M3_disagrees;
     differential_output_torque_lasting(M3_agrees, s->M3_disagreement_time, p->sample_time, p->hold_time,
-        &s->M3_disagreement_time, &M3_disagrees);
+        &s->M3_disagreement_time);
     /* M3_speed to the last bit */
-    s->M3_speed_still_time = differential_output_torque_select(s->running > 0.5, s->M3_speed_still_time, 0.0);
     differential_output_torque_still(s->M3_speed_held, s->M3_speed_before, s->M3_speed_still_time, p->sample_time,
         &s->M3_speed_still_time);
     s->M3_speed_before = s->M3_speed_held;
-    const differential_output_torque_real cause_fault_M3_speed_frozen =
-        differential_output_torque_select(differential_output_torque_min(M3_difference - p->M3_frozen_limit,
-        s->M3_speed_still_time - p->frozen_time) > 0.0, 3009.0, 9999.0);
-    const differential_output_torque_real cause_fault_M3_speed_disagreement =
-        differential_output_torque_select(M3_disagrees > 0.0, 5009.0, 9999.0);
     /* flange3_torque to the last bit */
-    s->flange3_torque_still_time = differential_output_torque_select(s->running > 0.5, s->flange3_torque_still_time,
-        0.0);
     differential_output_torque_still(s->flange3_torque_held, s->flange3_torque_before, s->flange3_torque_still_time,
         p->sample_time, &s->flange3_torque_still_time);
     s->flange3_torque_before = s->flange3_torque_held;
     s->flange3_torque_command = differential_output_torque_select(s->flange3_torque_still_time > 0.0,
         s->flange3_torque_command, M3_applied);
-    const differential_output_torque_real cause_fault_flange3_torque_frozen =
-        differential_output_torque_select(differential_output_torque_min(differential_output_torque_min(M3_difference
-        - p->M3_frozen_limit, s->flange3_torque_still_time - p->frozen_time), -0.05 * p->M3_torque_max +
-        differential_output_torque_abs(M3_applied - s->flange3_torque_command)) > 0.0, 3008.0, 9999.0);
     /* oscillation of flange1_torque */
-    const differential_output_torque_real flange1_torque_mean_before = differential_output_torque_select(s->running
-        > 0.5, s->flange1_torque_mean, s->flange1_torque_held);
+    const differential_output_torque_real flange1_torque_mean_before = s->flange1_torque_mean;
     const differential_output_torque_real flange1_torque_swing = s->flange1_torque_held -
         flange1_torque_mean_before;
     s->flange1_torque_mean = flange1_torque_mean_before + flange1_torque_swing * s->mean_share;
-    s->flange1_torque_swings = differential_output_torque_select(s->running > 0.5, s->flange1_torque_swings, 0.0);
     differential_output_torque_swings(flange1_torque_swing, p->flange1_torque_oscillation_limit,
         s->flange1_torque_side, s->flange1_torque_swings, s->forgotten_swings, &s->flange1_torque_side,
         &s->flange1_torque_swings);
-    const differential_output_torque_real cause_fault_flange1_torque_oscillation =
-        differential_output_torque_select(s->flange1_torque_swings - 5.5 > 0.0, 6005.0, 9999.0);
     /* oscillation of flange2_torque */
-    const differential_output_torque_real flange2_torque_mean_before = differential_output_torque_select(s->running
-        > 0.5, s->flange2_torque_mean, s->flange2_torque_held);
+    const differential_output_torque_real flange2_torque_mean_before = s->flange2_torque_mean;
     const differential_output_torque_real flange2_torque_swing = s->flange2_torque_held -
         flange2_torque_mean_before;
     s->flange2_torque_mean = flange2_torque_mean_before + flange2_torque_swing * s->mean_share;
-    s->flange2_torque_swings = differential_output_torque_select(s->running > 0.5, s->flange2_torque_swings, 0.0);
     differential_output_torque_swings(flange2_torque_swing, p->flange2_torque_oscillation_limit,
         s->flange2_torque_side, s->flange2_torque_swings, s->forgotten_swings, &s->flange2_torque_side,
         &s->flange2_torque_swings);
-    const differential_output_torque_real cause_fault_flange2_torque_oscillation =
-        differential_output_torque_select(s->flange2_torque_swings - 5.5 > 0.0, 6006.0, 9999.0);
     /* oscillation of flange3_torque */
-    const differential_output_torque_real flange3_torque_mean_before = differential_output_torque_select(s->running
-        > 0.5, s->flange3_torque_mean, s->flange3_torque_held);
+    const differential_output_torque_real flange3_torque_mean_before = s->flange3_torque_mean;
     const differential_output_torque_real flange3_torque_swing = s->flange3_torque_held -
         flange3_torque_mean_before;
     s->flange3_torque_mean = flange3_torque_mean_before + flange3_torque_swing * s->mean_share;
-    s->flange3_torque_swings = differential_output_torque_select(s->running > 0.5, s->flange3_torque_swings, 0.0);
     differential_output_torque_swings(flange3_torque_swing, p->flange3_torque_oscillation_limit,
         s->flange3_torque_side, s->flange3_torque_swings, s->forgotten_swings, &s->flange3_torque_side,
         &s->flange3_torque_swings);
-    const differential_output_torque_real cause_fault_flange3_torque_oscillation =
-        differential_output_torque_select(s->flange3_torque_swings - 5.5 > 0.0, 6008.0, 9999.0);
     /* oscillation of M1_torque_ref */
-    const differential_output_torque_real M1_torque_ref_mean_before = differential_output_torque_select(s->running >
-        0.5, s->M1_torque_ref_mean, 0.0);
+    const differential_output_torque_real M1_torque_ref_mean_before = s->M1_torque_ref_mean;
     const differential_output_torque_real M1_torque_ref_swing = M1_applied - M1_torque_ref_mean_before;
     s->M1_torque_ref_mean = M1_torque_ref_mean_before + M1_torque_ref_swing * s->mean_share;
-    s->M1_torque_ref_swings = differential_output_torque_select(s->running > 0.5, s->M1_torque_ref_swings, 0.0);
     differential_output_torque_swings(M1_torque_ref_swing, p->M1_torque_ref_oscillation_limit,
         s->M1_torque_ref_side, s->M1_torque_ref_swings, s->forgotten_swings, &s->M1_torque_ref_side,
         &s->M1_torque_ref_swings);
-    const differential_output_torque_real cause_fault_M1_torque_ref_oscillation =
-        differential_output_torque_select(s->M1_torque_ref_swings - 5.5 > 0.0, 8001.0, 9999.0);
     /* oscillation of M2_torque_ref */
-    const differential_output_torque_real M2_torque_ref_mean_before = differential_output_torque_select(s->running >
-        0.5, s->M2_torque_ref_mean, 0.0);
+    const differential_output_torque_real M2_torque_ref_mean_before = s->M2_torque_ref_mean;
     const differential_output_torque_real M2_torque_ref_swing = M2_applied - M2_torque_ref_mean_before;
     s->M2_torque_ref_mean = M2_torque_ref_mean_before + M2_torque_ref_swing * s->mean_share;
-    s->M2_torque_ref_swings = differential_output_torque_select(s->running > 0.5, s->M2_torque_ref_swings, 0.0);
     differential_output_torque_swings(M2_torque_ref_swing, p->M2_torque_ref_oscillation_limit,
         s->M2_torque_ref_side, s->M2_torque_ref_swings, s->forgotten_swings, &s->M2_torque_ref_side,
         &s->M2_torque_ref_swings);
-    const differential_output_torque_real cause_fault_M2_torque_ref_oscillation =
-        differential_output_torque_select(s->M2_torque_ref_swings - 5.5 > 0.0, 8002.0, 9999.0);
     /* oscillation of M3_torque_ref */
-    const differential_output_torque_real M3_torque_ref_mean_before = differential_output_torque_select(s->running >
-        0.5, s->M3_torque_ref_mean, 0.0);
+    const differential_output_torque_real M3_torque_ref_mean_before = s->M3_torque_ref_mean;
     const differential_output_torque_real M3_torque_ref_swing = M3_applied - M3_torque_ref_mean_before;
     s->M3_torque_ref_mean = M3_torque_ref_mean_before + M3_torque_ref_swing * s->mean_share;
-    s->M3_torque_ref_swings = differential_output_torque_select(s->running > 0.5, s->M3_torque_ref_swings, 0.0);
     differential_output_torque_swings(M3_torque_ref_swing, p->M3_torque_ref_oscillation_limit,
         s->M3_torque_ref_side, s->M3_torque_ref_swings, s->forgotten_swings, &s->M3_torque_ref_side,
         &s->M3_torque_ref_swings);
-    const differential_output_torque_real cause_fault_M3_torque_ref_oscillation =
-        differential_output_torque_select(s->M3_torque_ref_swings - 5.5 > 0.0, 8003.0, 9999.0);
     /* the first fault is latched */
     const differential_output_torque_real cause_of_watching =
-        differential_output_torque_min(differential_output_torque_min(differential_output_torque_min(differential_output_torque_min(cause_fault_M1_speed_disagreement,
-        cause_fault_M1_speed_frozen), differential_output_torque_min(cause_fault_M1_torque_ref_oscillation,
-        cause_fault_M2_speed_disagreement)),
-        differential_output_torque_min(differential_output_torque_min(cause_fault_M2_speed_frozen,
-        cause_fault_M2_torque_ref_oscillation), differential_output_torque_min(cause_fault_M3_speed_disagreement,
-        cause_fault_M3_speed_frozen))),
-        differential_output_torque_min(differential_output_torque_min(differential_output_torque_min(cause_fault_M3_torque_ref_oscillation,
-        cause_fault_flange1_torque_frozen), differential_output_torque_min(cause_fault_flange1_torque_oscillation,
-        cause_fault_flange2_torque_frozen)),
-        differential_output_torque_min(differential_output_torque_min(cause_fault_flange2_torque_oscillation,
-        cause_fault_flange3_torque_frozen), cause_fault_flange3_torque_oscillation)));
-    s->fault = differential_output_torque_select(s->fault > 0.5, s->fault,
-        differential_output_torque_select(cause_of_watching > 9998.0, 0.0, cause_of_watching));
+        !(M1_difference <= p->M1_frozen_limit || s->M1_speed_still_time <= p->frozen_time) ? 3004.0 :
+        !(M1_difference <= p->M1_frozen_limit || s->flange1_torque_still_time <= p->frozen_time ||
+        differential_output_torque_abs(M1_applied - s->flange1_torque_command) <= s->M1_moved_torque) ? 3005.0 :
+        !(M2_difference <= p->M2_frozen_limit || s->flange2_torque_still_time <= p->frozen_time ||
+        differential_output_torque_abs(M2_applied - s->flange2_torque_command) <= s->M2_moved_torque) ? 3006.0 :
+        !(M2_difference <= p->M2_frozen_limit || s->M2_speed_still_time <= p->frozen_time) ? 3007.0 :
+        !(M3_difference <= p->M3_frozen_limit || s->flange3_torque_still_time <= p->frozen_time ||
+        differential_output_torque_abs(M3_applied - s->flange3_torque_command) <= s->M3_moved_torque) ? 3008.0 :
+        !(M3_difference <= p->M3_frozen_limit || s->M3_speed_still_time <= p->frozen_time) ? 3009.0 :
+        !(s->M1_disagreement_time <= s->bridged_time) ? 5004.0 :
+        !(s->M2_disagreement_time <= s->bridged_time) ? 5007.0 :
+        !(s->M3_disagreement_time <= s->bridged_time) ? 5009.0 :
+        !(s->flange1_torque_swings <= 5.5) ? 6005.0 :
+        !(s->flange2_torque_swings <= 5.5) ? 6006.0 :
+        !(s->flange3_torque_swings <= 5.5) ? 6008.0 :
+        !(s->M1_torque_ref_swings <= 5.5) ? 8001.0 :
+        !(s->M2_torque_ref_swings <= 5.5) ? 8002.0 :
+        !(s->M3_torque_ref_swings <= 5.5) ? 8003.0 :
+        0.0;
+    s->fault = differential_output_torque_select(s->fault > 0.5, s->fault, cause_of_watching);
     /* limit of the rate */
-    const differential_output_torque_real M1_speed_ref_before = differential_output_torque_select(s->running > 0.5,
-        s->M1_speed_ref_limited, s->M1_speed_held);
+    const differential_output_torque_real M1_speed_ref_before = s->M1_speed_ref_limited;
     s->M1_speed_ref_limited = M1_speed_ref_before + differential_output_torque_max(-s->M1_speed_ref_step,
         differential_output_torque_min(s->M1_speed_ref_step, -M1_speed_ref_before + s->M1_speed_ref_held));
-    const differential_output_torque_real M3_speed_ref_before = differential_output_torque_select(s->running > 0.5,
-        s->M3_speed_ref_limited, s->M3_speed_held);
+    const differential_output_torque_real M3_speed_ref_before = s->M3_speed_ref_limited;
     s->M3_speed_ref_limited = M3_speed_ref_before + differential_output_torque_max(-s->M3_speed_ref_step,
         differential_output_torque_min(s->M3_speed_ref_step, -M3_speed_ref_before + s->M3_speed_ref_held));
     const differential_output_torque_real M1_speed_error = -s->M1_speed_held + s->M1_speed_ref_limited;
@@ -776,9 +728,8 @@ differential_output_torque_controller_status differential_output_torque_controll
     const differential_output_torque_real M1_given_away = M1_compensation * (load_compensation_before -
         s->load_compensation_now);
     /* PI speed control (5.84) */
-    const differential_output_torque_real M1_integral_before =
-        differential_output_torque_select(p->M1_speed_integral_gain > 0.0, M1_given_away, 0.0) +
-        differential_output_torque_select(s->running > 0.5, s->M1_speed_integral, 0.0);
+    const differential_output_torque_real M1_integral_before = s->M1_speed_integral +
+        differential_output_torque_select(p->M1_speed_integral_gain > 0.0, M1_given_away, 0.0);
     const differential_output_torque_real M1_asked = M1_integral_before + M1_speed_error * p->M1_speed_gain;
     const differential_output_torque_real M1_wanted = M1_asked + M1_compensation * s->load_compensation_now;
     /* torque-speed envelope */
@@ -798,9 +749,8 @@ differential_output_torque_controller_status differential_output_torque_controll
     const differential_output_torque_real M3_given_away = M3_compensation * (load_compensation_before -
         s->load_compensation_now);
     /* PI speed control (5.84) */
-    const differential_output_torque_real M3_integral_before =
-        differential_output_torque_select(p->M3_speed_integral_gain > 0.0, M3_given_away, 0.0) +
-        differential_output_torque_select(s->running > 0.5, s->M3_speed_integral, 0.0);
+    const differential_output_torque_real M3_integral_before = s->M3_speed_integral +
+        differential_output_torque_select(p->M3_speed_integral_gain > 0.0, M3_given_away, 0.0);
     const differential_output_torque_real M3_asked = M3_integral_before + M3_speed_error * p->M3_speed_gain;
     const differential_output_torque_real M3_wanted = M3_asked + M3_compensation * s->load_compensation_now;
     /* torque-speed envelope */
@@ -816,27 +766,30 @@ differential_output_torque_controller_status differential_output_torque_controll
     /* testing torque from the sensors (5.95), (5.96), (5.98) */
     const differential_output_torque_real diff_output1_torque_estimate = M1_net * s->M2_unread_M1 + s->M2_unread_M3
         * M3_net + s->flange2_torque_held;
+    if (s->running <= 0.5) {
+        /* the first step, and the first one after a fault, starts anew */
+        s->diff_output1_torque_ref_limited = diff_output1_torque_estimate;
+    }
     /* limit of the rate */
-    const differential_output_torque_real diff_output1_torque_ref_before =
-        differential_output_torque_select(s->running > 0.5, s->diff_output1_torque_ref_limited,
-        diff_output1_torque_estimate);
+    const differential_output_torque_real diff_output1_torque_ref_before = s->diff_output1_torque_ref_limited;
     s->diff_output1_torque_ref_limited = diff_output1_torque_ref_before +
         differential_output_torque_max(-s->diff_output1_torque_ref_step,
         differential_output_torque_min(s->diff_output1_torque_ref_step, -diff_output1_torque_ref_before +
         s->diff_output1_torque_ref_held));
+    if (s->running <= 0.5) {
+        /* the first step, and the first one after a fault, starts anew */
+        s->M2_model_torque = diff_output1_torque_estimate;
+    }
     /* torque model (5.57), (5.76) */
-    const differential_output_torque_real M2_model_before = differential_output_torque_select(s->running > 0.5,
-        s->M2_model_torque, diff_output1_torque_estimate);
-    const differential_output_torque_real M2_rate_before = differential_output_torque_select(s->running > 0.5,
-        s->M2_model_rate, 0.0);
+    const differential_output_torque_real M2_model_before = s->M2_model_torque;
+    const differential_output_torque_real M2_rate_before = s->M2_model_rate;
     s->M2_model_rate = -s->M2_model_drag * M2_rate_before + s->M2_model_pull * (-M2_model_before +
         s->diff_output1_torque_ref_limited) + M2_rate_before;
     s->M2_model_torque = M2_model_before + s->M2_model_rate * p->sample_time;
     const differential_output_torque_real M2_torque_error = s->M2_model_torque * p->M2_torque_model -
         diff_output1_torque_estimate + s->diff_output1_torque_ref_limited * (1.0 - p->M2_torque_model);
     /* torque control (5.99) */
-    const differential_output_torque_real M2_integral_before = differential_output_torque_select(s->running > 0.5,
-        s->M2_torque_integral, 0.0);
+    const differential_output_torque_real M2_integral_before = s->M2_torque_integral;
     const differential_output_torque_real M2_virtual = p->M2_feedforward * s->diff_output1_torque_ref_limited +
         M2_integral_before + M2_torque_error * p->M2_torque_gain;
     /* active damping (5.62), (5.78) */
@@ -861,53 +814,52 @@ differential_output_torque_controller_status differential_output_torque_controll
     differential_output_torque_real M1_released;
     differential_output_torque_real M1_released_sound;
     differential_output_torque_guard(M1_command, s->M1_largest, s->M1_last, &M1_released, &M1_released_sound);
-    const differential_output_torque_real cause_fault_M1_torque_ref =
-        differential_output_torque_select(M1_released_sound < 1.0, 7001.0, 9999.0);
     differential_output_torque_real M2_released;
     differential_output_torque_real M2_released_sound;
     differential_output_torque_guard(M2_command, s->M2_largest, s->M2_last, &M2_released, &M2_released_sound);
-    const differential_output_torque_real cause_fault_M2_torque_ref =
-        differential_output_torque_select(M2_released_sound < 1.0, 7002.0, 9999.0);
     differential_output_torque_real M3_released;
     differential_output_torque_real M3_released_sound;
     differential_output_torque_guard(M3_command, s->M3_largest, s->M3_last, &M3_released, &M3_released_sound);
-    const differential_output_torque_real cause_fault_M3_torque_ref =
-        differential_output_torque_select(M3_released_sound < 1.0, 7003.0, 9999.0);
     /* the first fault is latched */
     const differential_output_torque_real cause_of_commands =
-        differential_output_torque_min(differential_output_torque_min(cause_fault_M1_torque_ref,
-        cause_fault_M2_torque_ref), cause_fault_M3_torque_ref);
-    s->fault = differential_output_torque_select(s->fault > 0.5, s->fault,
-        differential_output_torque_select(cause_of_commands > 9998.0, 0.0, cause_of_commands));
+        !(M1_released_sound > 0.5) ? 7001.0 :
+        !(M2_released_sound > 0.5) ? 7002.0 :
+        !(M3_released_sound > 0.5) ? 7003.0 :
+        0.0;
+    s->fault = differential_output_torque_select(s->fault > 0.5, s->fault, cause_of_commands);
     /* ramp of the torques */
     const differential_output_torque_real authority_wanted = s->authority +
         differential_output_torque_select(s->fault > 0.5, -s->ramp_step, s->ramp_step);
     differential_output_torque_share(authority_wanted, &s->authority);
     s->running = differential_output_torque_select(s->fault > 0.5, 0.0, 1.0);
-    s->M1_last = differential_output_torque_select(s->fault > 0.5, s->M1_last, M1_released);
+    if (s->fault <= 0.5) {
+        s->M1_last = M1_released;
+        s->M2_last = M2_released;
+        s->M3_last = M3_released;
+    }
     out->M1_torque_ref = differential_output_torque_max(-930.0, differential_output_torque_min(930.0, s->M1_last *
         s->authority));
-    s->M2_last = differential_output_torque_select(s->fault > 0.5, s->M2_last, M2_released);
     out->M2_torque_ref = differential_output_torque_max(-3700.0, differential_output_torque_min(3700.0, s->M2_last *
         s->authority));
-    s->M3_last = differential_output_torque_select(s->fault > 0.5, s->M3_last, M3_released);
     out->M3_torque_ref = differential_output_torque_max(-3700.0, differential_output_torque_min(3700.0, s->M3_last *
         s->authority));
     /* The last line of defence, should parameters have been changed without an update. */
-    if (!differential_output_torque_is_finite(out->M1_torque_ref)) {
-        out->M1_torque_ref = 0.0;
-        s->fault = s->fault > 0.0 ? s->fault : DIFFERENTIAL_OUTPUT_TORQUE_REAL(differential_output_torque_controller_fault_M1_torque_ref);
-        s->running = 0.0;
-    }
-    if (!differential_output_torque_is_finite(out->M2_torque_ref)) {
-        out->M2_torque_ref = 0.0;
-        s->fault = s->fault > 0.0 ? s->fault : DIFFERENTIAL_OUTPUT_TORQUE_REAL(differential_output_torque_controller_fault_M2_torque_ref);
-        s->running = 0.0;
-    }
-    if (!differential_output_torque_is_finite(out->M3_torque_ref)) {
-        out->M3_torque_ref = 0.0;
-        s->fault = s->fault > 0.0 ? s->fault : DIFFERENTIAL_OUTPUT_TORQUE_REAL(differential_output_torque_controller_fault_M3_torque_ref);
-        s->running = 0.0;
+    if (!differential_output_torque_is_finite(out->M1_torque_ref + out->M2_torque_ref + out->M3_torque_ref)) {
+        if (!differential_output_torque_is_finite(out->M1_torque_ref)) {
+            out->M1_torque_ref = 0.0;
+            s->fault = s->fault > 0.0 ? s->fault : DIFFERENTIAL_OUTPUT_TORQUE_REAL(differential_output_torque_controller_fault_M1_torque_ref);
+            s->running = 0.0;
+        }
+        if (!differential_output_torque_is_finite(out->M2_torque_ref)) {
+            out->M2_torque_ref = 0.0;
+            s->fault = s->fault > 0.0 ? s->fault : DIFFERENTIAL_OUTPUT_TORQUE_REAL(differential_output_torque_controller_fault_M2_torque_ref);
+            s->running = 0.0;
+        }
+        if (!differential_output_torque_is_finite(out->M3_torque_ref)) {
+            out->M3_torque_ref = 0.0;
+            s->fault = s->fault > 0.0 ? s->fault : DIFFERENTIAL_OUTPUT_TORQUE_REAL(differential_output_torque_controller_fault_M3_torque_ref);
+            s->running = 0.0;
+        }
     }
     return (differential_output_torque_controller_status)s->fault;
 }

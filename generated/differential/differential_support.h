@@ -7,6 +7,7 @@
 #ifndef DIFFERENTIAL_SUPPORT_H
 #define DIFFERENTIAL_SUPPORT_H
 
+#include <math.h>
 #include <stddef.h>
 
 typedef double differential_real;
@@ -18,7 +19,7 @@ typedef double differential_real;
 
 static inline differential_real differential_min(differential_real a, differential_real b) { return a < b ? a : b; }
 static inline differential_real differential_max(differential_real a, differential_real b) { return a > b ? a : b; }
-static inline differential_real differential_abs(differential_real a) { return differential_max(-a, a); }
+static inline differential_real differential_abs(differential_real a) { return fabs(a); }
 /* Both are computed before, so that a step takes nearly the same time whichever is chosen. */
 static inline differential_real differential_select(int condition, differential_real a, differential_real b)
 {
@@ -144,19 +145,15 @@ static inline void differential_guard(differential_real value, differential_real
 {
     const int good = differential_abs(value) <= bound; /* false for NaN */
     *held = differential_select(good, value, before);
-    *sound = (differential_real)good;
+    *sound = differential_select(good, 1.0, 0.0);
 }
 
-/* For how long a signal was not sound: a sound step takes back a bad one. `late` is 1 if that is longer than allowed. */
+/* For how long a signal was not sound: a sound step takes back a bad one. No more than `allowed` and a step is counted. */
 static inline void differential_lasting(differential_real sound, differential_real time, differential_real step, differential_real allowed,
-    differential_real *after, differential_real *late)
+    differential_real *after)
 {
-    const differential_real longer = time + step;
-    const differential_real left = differential_min(time, allowed) - step;
-    const int good = sound > 0.5;
-    const int over = !(longer <= allowed + 0.5 * step); /* 1 for NaN */
-    *after = differential_select(good, differential_max(left, 0.0), longer);
-    *late = (differential_real)(over & !good);
+    const differential_real counted = differential_min(time, allowed);
+    *after = differential_select(sound > 0.5, differential_max(counted, step) - step, counted + step);
 }
 
 /* For how long `value` has been the same to the last bit. */
@@ -172,9 +169,8 @@ static inline void differential_swings(differential_real value, differential_rea
 {
     const differential_real above = differential_select(value > limit, 1.0, side);
     const differential_real now = differential_select(value < -limit, -1.0, above);
-    const int changed = differential_abs(now - side) > 0.0;
     *after = now;
-    *swings = differential_max(count - decay, 0.0) + (differential_real)changed;
+    *swings = differential_max(count - decay, 0.0) + differential_min(differential_abs(now - side), 1.0);
 }
 
 /* `value` limited to 0 to 1; 0 for NaN. */
@@ -184,17 +180,25 @@ static inline void differential_share(differential_real value, differential_real
 }
 
 /*
- * Function that is linear between the n increasing points of `grid` and constant beyond them; slope[k] holds from
- * grid[k] on, `first` is the value at grid[0]. Always takes the same time.
+ * Function that is linear between the n increasing points of `grid` and constant beyond them: from grid[k] on it is
+ * level[k] + slope[k] * (value - grid[k]); slope[n - 1] is zero. Bisection without branches: always the same time.
  */
 static inline void differential_lookup(int n, differential_real value, const differential_real *grid, const differential_real *slope,
-    differential_real first, differential_real *result)
+    const differential_real *level, differential_real *result)
 {
-    differential_real sum = first;
-    for (int k = 0; k + 1 < n; ++k) {
-        sum += slope[k] * differential_min(differential_max(value - grid[k], 0.0), grid[k + 1] - grid[k]);
+    const differential_real *at = grid;
+    int count = n; /* a constant where this is called, so most of what follows is computed by the compiler */
+    at += (value >= at[count / 2]) * (count / 2), count -= count / 2;
+    at += (value >= at[count / 2]) * (count / 2), count -= count / 2;
+    at += (value >= at[count / 2]) * (count / 2), count -= count / 2;
+    at += (value >= at[count / 2]) * (count / 2), count -= count / 2;
+    at += (value >= at[count / 2]) * (count / 2), count -= count / 2;
+    at += (value >= at[count / 2]) * (count / 2), count -= count / 2;
+    while (count > 1) {
+        at += (value >= at[count / 2]) * (count / 2), count -= count / 2;
     }
-    *result = sum;
+    const ptrdiff_t k = at - grid;
+    *result = level[k] + slope[k] * differential_max(value - grid[k], 0.0);
 }
 
 #endif

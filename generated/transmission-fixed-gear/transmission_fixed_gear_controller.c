@@ -274,16 +274,21 @@ transmission_fixed_gear_controller_status transmission_fixed_gear_controller_upd
             return (transmission_fixed_gear_controller_status)(2000 + k);
         }
     }
+    s->bridged_time = p->hold_time + (0.5) * p->sample_time;
     s->switch_share = p->sample_time / p->switch_time;
     s->M1_taper_slope = 1.0 / p->M1_speed_taper;
     s->M1_taper_end = p->M1_speed_max / p->M1_speed_taper + 1.0;
+    s->M1_power = p->M1_speed_rated * p->M1_torque_max;
     s->M2_taper_slope = 1.0 / p->M2_speed_taper;
     s->M2_taper_end = p->M2_speed_max / p->M2_speed_taper + 1.0;
+    s->M2_power = p->M2_speed_rated * p->M2_torque_max;
     s->gearbox_ratio_step = p->gearbox_ratio_rate * p->sample_time;
     s->steps_per_second = 1.0 / p->sample_time;
     s->disagreement_share = p->disagreement_leak * p->sample_time;
     s->M1_per_step = p->sample_time / p->M1_inertia;
+    s->M1_moved_torque = 0.05 * p->M1_torque_max;
     s->M2_per_step = p->sample_time / p->M2_inertia;
+    s->M2_moved_torque = 0.05 * p->M2_torque_max;
     s->forgotten_swings = p->oscillation_frequency * p->sample_time;
     s->mean_share = 6.2832 * p->oscillation_frequency * p->sample_time;
     s->M2_speed_ref_step = p->M2_speed_ref_rate * p->sample_time;
@@ -308,154 +313,159 @@ transmission_fixed_gear_controller_status transmission_fixed_gear_controller_ste
     transmission_fixed_gear_real gearbox_input_torque_ref_sound;
     transmission_fixed_gear_guard(in->gearbox_input_torque_ref, p->gearbox_input_torque_ref_plausible,
         s->gearbox_input_torque_ref_held, &s->gearbox_input_torque_ref_held, &gearbox_input_torque_ref_sound);
-    transmission_fixed_gear_real gearbox_input_torque_ref_lost;
     transmission_fixed_gear_lasting(gearbox_input_torque_ref_sound, s->gearbox_input_torque_ref_bad_time,
-        p->sample_time, p->hold_time, &s->gearbox_input_torque_ref_bad_time, &gearbox_input_torque_ref_lost);
-    const transmission_fixed_gear_real cause_fault_gearbox_input_torque_ref =
-        transmission_fixed_gear_select(gearbox_input_torque_ref_lost > 0.0, 1.0, 9999.0);
+        p->sample_time, p->hold_time, &s->gearbox_input_torque_ref_bad_time);
     transmission_fixed_gear_real M2_speed_ref_sound;
     transmission_fixed_gear_guard(in->M2_speed_ref, p->M2_speed_ref_plausible, s->M2_speed_ref_held,
         &s->M2_speed_ref_held, &M2_speed_ref_sound);
-    transmission_fixed_gear_real M2_speed_ref_lost;
     transmission_fixed_gear_lasting(M2_speed_ref_sound, s->M2_speed_ref_bad_time, p->sample_time, p->hold_time,
-        &s->M2_speed_ref_bad_time, &M2_speed_ref_lost);
-    const transmission_fixed_gear_real cause_fault_M2_speed_ref = transmission_fixed_gear_select(M2_speed_ref_lost >
-        0.0, 2.0, 9999.0);
+        &s->M2_speed_ref_bad_time);
     transmission_fixed_gear_real gearbox_ratio_sound;
     transmission_fixed_gear_guard(in->gearbox_ratio, p->gearbox_ratio_plausible, s->gearbox_ratio_held,
         &s->gearbox_ratio_held, &gearbox_ratio_sound);
-    transmission_fixed_gear_real gearbox_ratio_lost;
     transmission_fixed_gear_lasting(gearbox_ratio_sound, s->gearbox_ratio_bad_time, p->sample_time, p->hold_time,
-        &s->gearbox_ratio_bad_time, &gearbox_ratio_lost);
-    const transmission_fixed_gear_real cause_fault_gearbox_ratio = transmission_fixed_gear_select(gearbox_ratio_lost
-        > 0.0, 3.0, 9999.0);
+        &s->gearbox_ratio_bad_time);
     transmission_fixed_gear_real M1_speed_sound;
     transmission_fixed_gear_guard(in->M1_speed, p->M1_speed_plausible, s->M1_speed_held, &s->M1_speed_held,
         &M1_speed_sound);
-    transmission_fixed_gear_real M1_speed_lost;
     transmission_fixed_gear_lasting(M1_speed_sound, s->M1_speed_bad_time, p->sample_time, p->hold_time,
-        &s->M1_speed_bad_time, &M1_speed_lost);
-    const transmission_fixed_gear_real cause_fault_M1_speed = transmission_fixed_gear_select(M1_speed_lost > 0.0,
-        4.0, 9999.0);
+        &s->M1_speed_bad_time);
     transmission_fixed_gear_real flange1_torque_sound;
     transmission_fixed_gear_guard(in->flange1_torque, p->flange1_torque_plausible, s->flange1_torque_held,
         &s->flange1_torque_held, &flange1_torque_sound);
-    transmission_fixed_gear_real flange1_torque_lost;
     transmission_fixed_gear_lasting(flange1_torque_sound, s->flange1_torque_bad_time, p->sample_time, p->hold_time,
-        &s->flange1_torque_bad_time, &flange1_torque_lost);
-    const transmission_fixed_gear_real cause_fault_flange1_torque =
-        transmission_fixed_gear_select(flange1_torque_lost > 0.0, 5.0, 9999.0);
+        &s->flange1_torque_bad_time);
     transmission_fixed_gear_real flange2_torque_sound;
     transmission_fixed_gear_guard(in->flange2_torque, p->flange2_torque_plausible, s->flange2_torque_held,
         &s->flange2_torque_held, &flange2_torque_sound);
-    transmission_fixed_gear_real flange2_torque_lost;
     transmission_fixed_gear_lasting(flange2_torque_sound, s->flange2_torque_bad_time, p->sample_time, p->hold_time,
-        &s->flange2_torque_bad_time, &flange2_torque_lost);
-    const transmission_fixed_gear_real cause_fault_flange2_torque =
-        transmission_fixed_gear_select(flange2_torque_lost > 0.0, 6.0, 9999.0);
+        &s->flange2_torque_bad_time);
     transmission_fixed_gear_real M2_speed_sound;
     transmission_fixed_gear_guard(in->M2_speed, p->M2_speed_plausible, s->M2_speed_held, &s->M2_speed_held,
         &M2_speed_sound);
-    transmission_fixed_gear_real M2_speed_lost;
     transmission_fixed_gear_lasting(M2_speed_sound, s->M2_speed_bad_time, p->sample_time, p->hold_time,
-        &s->M2_speed_bad_time, &M2_speed_lost);
-    const transmission_fixed_gear_real cause_fault_M2_speed = transmission_fixed_gear_select(M2_speed_lost > 0.0,
-        7.0, 9999.0);
+        &s->M2_speed_bad_time);
     /* overspeed */
     const transmission_fixed_gear_real M1_slow_enough = transmission_fixed_gear_select(p->M1_overspeed >=
         transmission_fixed_gear_abs(s->M1_speed_held), 1.0, 0.0);
-    transmission_fixed_gear_real M1_too_fast;
     transmission_fixed_gear_lasting(M1_slow_enough, s->M1_overspeed_time, p->sample_time, p->hold_time,
-        &s->M1_overspeed_time, &M1_too_fast);
-    const transmission_fixed_gear_real cause_fault_M1_speed_overspeed = transmission_fixed_gear_select(M1_too_fast >
-        0.0, 4004.0, 9999.0);
+        &s->M1_overspeed_time);
     const transmission_fixed_gear_real M2_slow_enough = transmission_fixed_gear_select(p->M2_overspeed >=
         transmission_fixed_gear_abs(s->M2_speed_held), 1.0, 0.0);
-    transmission_fixed_gear_real M2_too_fast;
     transmission_fixed_gear_lasting(M2_slow_enough, s->M2_overspeed_time, p->sample_time, p->hold_time,
-        &s->M2_overspeed_time, &M2_too_fast);
-    const transmission_fixed_gear_real cause_fault_M2_speed_overspeed = transmission_fixed_gear_select(M2_too_fast >
-        0.0, 4007.0, 9999.0);
+        &s->M2_overspeed_time);
     /* reset on request, when the cause is gone */
     const transmission_fixed_gear_real reset_pressed =
         transmission_fixed_gear_select(transmission_fixed_gear_abs(in->reset - 1.0) <= 0.5, 1.0, 0.0);
-    const transmission_fixed_gear_real inputs_sound =
-        transmission_fixed_gear_min(transmission_fixed_gear_min(transmission_fixed_gear_min(transmission_fixed_gear_min(M1_slow_enough,
-        M1_speed_sound), transmission_fixed_gear_min(M2_slow_enough, M2_speed_ref_sound)),
-        transmission_fixed_gear_min(transmission_fixed_gear_min(M2_speed_sound, flange1_torque_sound),
-        transmission_fixed_gear_min(flange2_torque_sound, gearbox_input_torque_ref_sound))), gearbox_ratio_sound);
-    const transmission_fixed_gear_real latched = transmission_fixed_gear_select(s->fault > 0.5, 1.0, 0.0);
-    s->reset_request = inputs_sound * latched * (1.0 - s->refused) * transmission_fixed_gear_max(s->reset_request,
-        -s->reset_before + reset_pressed);
+    s->reset_request = transmission_fixed_gear_select(s->fault > 0.5, transmission_fixed_gear_select(p->M1_overspeed
+        >= transmission_fixed_gear_abs(s->M1_speed_held) && p->M1_speed_plausible >=
+        transmission_fixed_gear_abs(in->M1_speed) && p->M2_overspeed >=
+        transmission_fixed_gear_abs(s->M2_speed_held) && p->M2_speed_plausible >=
+        transmission_fixed_gear_abs(in->M2_speed) && p->M2_speed_ref_plausible >=
+        transmission_fixed_gear_abs(in->M2_speed_ref) && p->flange1_torque_plausible >=
+        transmission_fixed_gear_abs(in->flange1_torque) && p->flange2_torque_plausible >=
+        transmission_fixed_gear_abs(in->flange2_torque) && p->gearbox_input_torque_ref_plausible >=
+        transmission_fixed_gear_abs(in->gearbox_input_torque_ref) && p->gearbox_ratio_plausible >=
+        transmission_fixed_gear_abs(in->gearbox_ratio), (1.0 - s->refused) *
+        transmission_fixed_gear_max(s->reset_request, -s->reset_before + reset_pressed), 0.0), 0.0);
     s->reset_before = reset_pressed;
     s->fault = s->fault * (1.0 - transmission_fixed_gear_select(s->authority <= 0.0, s->reset_request, 0.0));
     s->reset_request = transmission_fixed_gear_select(s->fault > 0.5, s->reset_request, 0.0);
     /* the first fault is latched */
     const transmission_fixed_gear_real cause_of_inputs =
-        transmission_fixed_gear_min(transmission_fixed_gear_min(transmission_fixed_gear_min(transmission_fixed_gear_min(cause_fault_M1_speed,
-        cause_fault_M1_speed_overspeed), transmission_fixed_gear_min(cause_fault_M2_speed,
-        cause_fault_M2_speed_overspeed)),
-        transmission_fixed_gear_min(transmission_fixed_gear_min(cause_fault_M2_speed_ref,
-        cause_fault_flange1_torque), transmission_fixed_gear_min(cause_fault_flange2_torque,
-        cause_fault_gearbox_input_torque_ref))), cause_fault_gearbox_ratio);
-    s->fault = transmission_fixed_gear_select(s->fault > 0.5, s->fault,
-        transmission_fixed_gear_select(cause_of_inputs > 9998.0, 0.0, cause_of_inputs));
+        !(s->gearbox_input_torque_ref_bad_time <= s->bridged_time) ? 1.0 :
+        !(s->M2_speed_ref_bad_time <= s->bridged_time) ? 2.0 :
+        !(s->gearbox_ratio_bad_time <= s->bridged_time) ? 3.0 :
+        !(s->M1_speed_bad_time <= s->bridged_time) ? 4.0 :
+        !(s->flange1_torque_bad_time <= s->bridged_time) ? 5.0 :
+        !(s->flange2_torque_bad_time <= s->bridged_time) ? 6.0 :
+        !(s->M2_speed_bad_time <= s->bridged_time) ? 7.0 :
+        !(s->M1_overspeed_time <= s->bridged_time) ? 4004.0 :
+        !(s->M2_overspeed_time <= s->bridged_time) ? 4007.0 :
+        0.0;
+    s->fault = transmission_fixed_gear_select(s->fault > 0.5, s->fault, cause_of_inputs);
+    if (s->running <= 0.5) {
+        /* the first step, and the first one after a fault, starts anew */
+        s->load_compensation_now = p->load_compensation;
+        s->acceleration_torque_now = p->acceleration_torque;
+        s->M1_damping_now = p->M1_damping;
+        s->M1_integrated = s->M1_speed_held;
+        s->M1_speed_still_time = 0.0;
+        s->flange1_torque_still_time = 0.0;
+        s->M2_integrated = s->M2_speed_held;
+        s->M2_speed_still_time = 0.0;
+        s->flange2_torque_still_time = 0.0;
+        s->flange1_torque_mean = s->flange1_torque_held;
+        s->flange1_torque_swings = 0.0;
+        s->flange2_torque_mean = s->flange2_torque_held;
+        s->flange2_torque_swings = 0.0;
+        s->M1_torque_ref_mean = 0.0;
+        s->M1_torque_ref_swings = 0.0;
+        s->M2_torque_ref_mean = 0.0;
+        s->M2_torque_ref_swings = 0.0;
+        s->M2_speed_ref_limited = s->M2_speed_held;
+        s->M2_speed_integral = 0.0;
+        s->M1_model_rate = 0.0;
+        s->M1_torque_integral = 0.0;
+    }
     /* load_compensation follows its parameter along a ramp */
-    const transmission_fixed_gear_real load_compensation_before = transmission_fixed_gear_select(s->running > 0.5,
-        s->load_compensation_now, p->load_compensation);
+    const transmission_fixed_gear_real load_compensation_before = s->load_compensation_now;
     const transmission_fixed_gear_real load_compensation_distance = p->load_compensation - load_compensation_before;
-    const transmission_fixed_gear_real load_compensation_moved = transmission_fixed_gear_select(p->load_compensation
-        != s->load_compensation_target, transmission_fixed_gear_max(s->switch_share *
-        transmission_fixed_gear_abs(load_compensation_distance), 1e-06 *
-        transmission_fixed_gear_abs(p->load_compensation) + 1e-06 *
-        transmission_fixed_gear_abs(load_compensation_before)), s->load_compensation_step);
-    s->load_compensation_now = transmission_fixed_gear_select(load_compensation_distance > load_compensation_moved,
-        load_compensation_before + load_compensation_moved,
-        transmission_fixed_gear_select(load_compensation_distance < -load_compensation_moved,
-        load_compensation_before - load_compensation_moved, p->load_compensation));
-    s->load_compensation_step = transmission_fixed_gear_select(load_compensation_moved <
-        transmission_fixed_gear_abs(load_compensation_distance), load_compensation_moved, 0.0);
+    if (p->load_compensation != s->load_compensation_target) {
+        s->load_compensation_step = transmission_fixed_gear_max(s->switch_share *
+            transmission_fixed_gear_abs(load_compensation_distance), 1e-06 *
+            transmission_fixed_gear_abs(p->load_compensation) + 1e-06 *
+            transmission_fixed_gear_abs(load_compensation_before));
+    }
+    s->load_compensation_now = transmission_fixed_gear_select(s->load_compensation_step <
+        transmission_fixed_gear_abs(load_compensation_distance), load_compensation_before +
+        transmission_fixed_gear_max(-s->load_compensation_step,
+        transmission_fixed_gear_min(load_compensation_distance, s->load_compensation_step)), p->load_compensation);
+    s->load_compensation_step = transmission_fixed_gear_select(s->load_compensation_step <
+        transmission_fixed_gear_abs(load_compensation_distance), s->load_compensation_step, 0.0);
     s->load_compensation_target = p->load_compensation;
     /* acceleration_torque follows its parameter along a ramp */
-    const transmission_fixed_gear_real acceleration_torque_before = transmission_fixed_gear_select(s->running > 0.5,
-        s->acceleration_torque_now, p->acceleration_torque);
+    const transmission_fixed_gear_real acceleration_torque_before = s->acceleration_torque_now;
     const transmission_fixed_gear_real acceleration_torque_distance = p->acceleration_torque -
         acceleration_torque_before;
-    const transmission_fixed_gear_real acceleration_torque_moved =
-        transmission_fixed_gear_select(p->acceleration_torque != s->acceleration_torque_target,
-        transmission_fixed_gear_max(s->switch_share * transmission_fixed_gear_abs(acceleration_torque_distance),
-        1e-06 * transmission_fixed_gear_abs(p->acceleration_torque) + 1e-06 *
-        transmission_fixed_gear_abs(acceleration_torque_before)), s->acceleration_torque_step);
-    s->acceleration_torque_now = transmission_fixed_gear_select(acceleration_torque_distance >
-        acceleration_torque_moved, acceleration_torque_before + acceleration_torque_moved,
-        transmission_fixed_gear_select(acceleration_torque_distance < -acceleration_torque_moved,
-        acceleration_torque_before - acceleration_torque_moved, p->acceleration_torque));
-    s->acceleration_torque_step = transmission_fixed_gear_select(acceleration_torque_moved <
-        transmission_fixed_gear_abs(acceleration_torque_distance), acceleration_torque_moved, 0.0);
+    if (p->acceleration_torque != s->acceleration_torque_target) {
+        s->acceleration_torque_step = transmission_fixed_gear_max(s->switch_share *
+            transmission_fixed_gear_abs(acceleration_torque_distance), 1e-06 *
+            transmission_fixed_gear_abs(p->acceleration_torque) + 1e-06 *
+            transmission_fixed_gear_abs(acceleration_torque_before));
+    }
+    s->acceleration_torque_now = transmission_fixed_gear_select(s->acceleration_torque_step <
+        transmission_fixed_gear_abs(acceleration_torque_distance), acceleration_torque_before +
+        transmission_fixed_gear_max(-s->acceleration_torque_step,
+        transmission_fixed_gear_min(acceleration_torque_distance, s->acceleration_torque_step)),
+        p->acceleration_torque);
+    s->acceleration_torque_step = transmission_fixed_gear_select(s->acceleration_torque_step <
+        transmission_fixed_gear_abs(acceleration_torque_distance), s->acceleration_torque_step, 0.0);
     s->acceleration_torque_target = p->acceleration_torque;
     /* M1_damping follows its parameter along a ramp */
-    const transmission_fixed_gear_real M1_damping_before = transmission_fixed_gear_select(s->running > 0.5,
-        s->M1_damping_now, p->M1_damping);
+    const transmission_fixed_gear_real M1_damping_before = s->M1_damping_now;
     const transmission_fixed_gear_real M1_damping_distance = p->M1_damping - M1_damping_before;
-    const transmission_fixed_gear_real M1_damping_moved = transmission_fixed_gear_select(p->M1_damping !=
-        s->M1_damping_target, transmission_fixed_gear_max(s->switch_share *
-        transmission_fixed_gear_abs(M1_damping_distance), 1e-06 * transmission_fixed_gear_abs(p->M1_damping) + 1e-06
-        * transmission_fixed_gear_abs(M1_damping_before)), s->M1_damping_step);
-    s->M1_damping_now = transmission_fixed_gear_select(M1_damping_distance > M1_damping_moved, M1_damping_before +
-        M1_damping_moved, transmission_fixed_gear_select(M1_damping_distance < -M1_damping_moved, M1_damping_before
-        - M1_damping_moved, p->M1_damping));
-    s->M1_damping_step = transmission_fixed_gear_select(M1_damping_moved <
-        transmission_fixed_gear_abs(M1_damping_distance), M1_damping_moved, 0.0);
+    if (p->M1_damping != s->M1_damping_target) {
+        s->M1_damping_step = transmission_fixed_gear_max(s->switch_share *
+            transmission_fixed_gear_abs(M1_damping_distance), 1e-06 * transmission_fixed_gear_abs(p->M1_damping) + 1e-06
+            * transmission_fixed_gear_abs(M1_damping_before));
+    }
+    s->M1_damping_now = transmission_fixed_gear_select(s->M1_damping_step <
+        transmission_fixed_gear_abs(M1_damping_distance), M1_damping_before +
+        transmission_fixed_gear_max(-s->M1_damping_step, transmission_fixed_gear_min(M1_damping_distance,
+        s->M1_damping_step)), p->M1_damping);
+    s->M1_damping_step = transmission_fixed_gear_select(s->M1_damping_step <
+        transmission_fixed_gear_abs(M1_damping_distance), s->M1_damping_step, 0.0);
     s->M1_damping_target = p->M1_damping;
     /* torque-speed envelope, Figure 7.1 */
-    const transmission_fixed_gear_real M1_available = p->M1_speed_rated * p->M1_torque_max /
-        transmission_fixed_gear_max(p->M1_speed_rated, transmission_fixed_gear_abs(s->M1_speed_held));
+    const transmission_fixed_gear_real M1_available = s->M1_power / transmission_fixed_gear_max(p->M1_speed_rated,
+        transmission_fixed_gear_abs(s->M1_speed_held));
     const transmission_fixed_gear_real M1_least = -M1_available * transmission_fixed_gear_max(0.0,
         transmission_fixed_gear_min(1.0, s->M1_speed_held * s->M1_taper_slope + s->M1_taper_end));
     const transmission_fixed_gear_real M1_most = M1_available * transmission_fixed_gear_max(0.0,
         transmission_fixed_gear_min(1.0, -s->M1_speed_held * s->M1_taper_slope + s->M1_taper_end));
-    const transmission_fixed_gear_real M2_available = p->M2_speed_rated * p->M2_torque_max /
-        transmission_fixed_gear_max(p->M2_speed_rated, transmission_fixed_gear_abs(s->M2_speed_held));
+    const transmission_fixed_gear_real M2_available = s->M2_power / transmission_fixed_gear_max(p->M2_speed_rated,
+        transmission_fixed_gear_abs(s->M2_speed_held));
     const transmission_fixed_gear_real M2_least = -M2_available * transmission_fixed_gear_max(0.0,
         transmission_fixed_gear_min(1.0, s->M2_speed_held * s->M2_taper_slope + s->M2_taper_end));
     const transmission_fixed_gear_real M2_most = M2_available * transmission_fixed_gear_max(0.0,
@@ -463,9 +473,12 @@ transmission_fixed_gear_controller_status transmission_fixed_gear_controller_ste
     /* range and rate of the ratio */
     const transmission_fixed_gear_real gearbox_ratio_inside = transmission_fixed_gear_max(p->gearbox_ratio_least,
         transmission_fixed_gear_min(s->gearbox_ratio_held, p->gearbox_ratio_most));
+    if (s->running <= 0.5) {
+        /* the first step, and the first one after a fault, starts anew */
+        s->gearbox_ratio_limited = gearbox_ratio_inside;
+    }
     /* limit of the rate */
-    const transmission_fixed_gear_real gearbox_ratio_before = transmission_fixed_gear_select(s->running > 0.5,
-        s->gearbox_ratio_limited, gearbox_ratio_inside);
+    const transmission_fixed_gear_real gearbox_ratio_before = s->gearbox_ratio_limited;
     s->gearbox_ratio_limited = gearbox_ratio_before + transmission_fixed_gear_max(-s->gearbox_ratio_step,
         transmission_fixed_gear_min(s->gearbox_ratio_step, -gearbox_ratio_before + gearbox_ratio_inside));
     const transmission_fixed_gear_real gearbox_ratio_change = s->steps_per_second * (-gearbox_ratio_before +
@@ -474,8 +487,7 @@ transmission_fixed_gear_controller_status transmission_fixed_gear_controller_ste
     const transmission_fixed_gear_real M1_applied = s->M1_last * s->authority;
     const transmission_fixed_gear_real M2_applied = s->M2_last * s->authority;
     /* speed from the torques on the rotor */
-    const transmission_fixed_gear_real M1_integrated_before = transmission_fixed_gear_select(s->running > 0.5,
-        s->M1_integrated, s->M1_speed_held);
+    const transmission_fixed_gear_real M1_integrated_before = s->M1_integrated;
     s->M1_integrated = M1_integrated_before + s->M1_per_step * (M1_applied - s->flange1_torque_held) +
         s->disagreement_share * (-M1_integrated_before + s->M1_speed_held);
     const transmission_fixed_gear_real M1_difference = transmission_fixed_gear_abs(s->M1_integrated -
@@ -483,34 +495,20 @@ transmission_fixed_gear_controller_status transmission_fixed_gear_controller_ste
     /* speed against torques */
     const transmission_fixed_gear_real M1_agrees = transmission_fixed_gear_select(M1_difference <=
         p->M1_disagreement_limit, 1.0, 0.0);
-    transmission_fixed_gear_real M1_disagrees;
     transmission_fixed_gear_lasting(M1_agrees, s->M1_disagreement_time, p->sample_time, p->hold_time,
-        &s->M1_disagreement_time, &M1_disagrees);
+        &s->M1_disagreement_time);
     /* M1_speed to the last bit */
-    s->M1_speed_still_time = transmission_fixed_gear_select(s->running > 0.5, s->M1_speed_still_time, 0.0);
     transmission_fixed_gear_still(s->M1_speed_held, s->M1_speed_before, s->M1_speed_still_time, p->sample_time,
         &s->M1_speed_still_time);
     s->M1_speed_before = s->M1_speed_held;
-    const transmission_fixed_gear_real cause_fault_M1_speed_frozen =
-        transmission_fixed_gear_select(transmission_fixed_gear_min(M1_difference - p->M1_frozen_limit,
-        s->M1_speed_still_time - p->frozen_time) > 0.0, 3004.0, 9999.0);
-    const transmission_fixed_gear_real cause_fault_M1_speed_disagreement =
-        transmission_fixed_gear_select(M1_disagrees > 0.0, 5004.0, 9999.0);
     /* flange1_torque to the last bit */
-    s->flange1_torque_still_time = transmission_fixed_gear_select(s->running > 0.5, s->flange1_torque_still_time,
-        0.0);
     transmission_fixed_gear_still(s->flange1_torque_held, s->flange1_torque_before, s->flange1_torque_still_time,
         p->sample_time, &s->flange1_torque_still_time);
     s->flange1_torque_before = s->flange1_torque_held;
     s->flange1_torque_command = transmission_fixed_gear_select(s->flange1_torque_still_time > 0.0,
         s->flange1_torque_command, M1_applied);
-    const transmission_fixed_gear_real cause_fault_flange1_torque_frozen =
-        transmission_fixed_gear_select(transmission_fixed_gear_min(transmission_fixed_gear_min(M1_difference -
-        p->M1_frozen_limit, s->flange1_torque_still_time - p->frozen_time), -0.05 * p->M1_torque_max +
-        transmission_fixed_gear_abs(M1_applied - s->flange1_torque_command)) > 0.0, 3005.0, 9999.0);
     /* speed from the torques on the rotor */
-    const transmission_fixed_gear_real M2_integrated_before = transmission_fixed_gear_select(s->running > 0.5,
-        s->M2_integrated, s->M2_speed_held);
+    const transmission_fixed_gear_real M2_integrated_before = s->M2_integrated;
     s->M2_integrated = M2_integrated_before + s->M2_per_step * (M2_applied + s->flange2_torque_held) +
         s->disagreement_share * (-M2_integrated_before + s->M2_speed_held);
     const transmission_fixed_gear_real M2_difference = transmission_fixed_gear_abs(s->M2_integrated -
@@ -518,87 +516,62 @@ transmission_fixed_gear_controller_status transmission_fixed_gear_controller_ste
     /* speed against torques */
     const transmission_fixed_gear_real M2_agrees = transmission_fixed_gear_select(M2_difference <=
         p->M2_disagreement_limit, 1.0, 0.0);
-    transmission_fixed_gear_real M2_disagrees;
     transmission_fixed_gear_lasting(M2_agrees, s->M2_disagreement_time, p->sample_time, p->hold_time,
-        &s->M2_disagreement_time, &M2_disagrees);
+        &s->M2_disagreement_time);
     /* M2_speed to the last bit */
-    s->M2_speed_still_time = transmission_fixed_gear_select(s->running > 0.5, s->M2_speed_still_time, 0.0);
     transmission_fixed_gear_still(s->M2_speed_held, s->M2_speed_before, s->M2_speed_still_time, p->sample_time,
         &s->M2_speed_still_time);
     s->M2_speed_before = s->M2_speed_held;
-    const transmission_fixed_gear_real cause_fault_M2_speed_frozen =
-        transmission_fixed_gear_select(transmission_fixed_gear_min(M2_difference - p->M2_frozen_limit,
-        s->M2_speed_still_time - p->frozen_time) > 0.0, 3007.0, 9999.0);
-    const transmission_fixed_gear_real cause_fault_M2_speed_disagreement =
-        transmission_fixed_gear_select(M2_disagrees > 0.0, 5007.0, 9999.0);
     /* flange2_torque to the last bit */
-    s->flange2_torque_still_time = transmission_fixed_gear_select(s->running > 0.5, s->flange2_torque_still_time,
-        0.0);
     transmission_fixed_gear_still(s->flange2_torque_held, s->flange2_torque_before, s->flange2_torque_still_time,
         p->sample_time, &s->flange2_torque_still_time);
     s->flange2_torque_before = s->flange2_torque_held;
     s->flange2_torque_command = transmission_fixed_gear_select(s->flange2_torque_still_time > 0.0,
         s->flange2_torque_command, M2_applied);
-    const transmission_fixed_gear_real cause_fault_flange2_torque_frozen =
-        transmission_fixed_gear_select(transmission_fixed_gear_min(transmission_fixed_gear_min(M2_difference -
-        p->M2_frozen_limit, s->flange2_torque_still_time - p->frozen_time), -0.05 * p->M2_torque_max +
-        transmission_fixed_gear_abs(M2_applied - s->flange2_torque_command)) > 0.0, 3006.0, 9999.0);
     /* oscillation of flange1_torque */
-    const transmission_fixed_gear_real flange1_torque_mean_before = transmission_fixed_gear_select(s->running > 0.5,
-        s->flange1_torque_mean, s->flange1_torque_held);
+    const transmission_fixed_gear_real flange1_torque_mean_before = s->flange1_torque_mean;
     const transmission_fixed_gear_real flange1_torque_swing = s->flange1_torque_held - flange1_torque_mean_before;
     s->flange1_torque_mean = flange1_torque_mean_before + flange1_torque_swing * s->mean_share;
-    s->flange1_torque_swings = transmission_fixed_gear_select(s->running > 0.5, s->flange1_torque_swings, 0.0);
     transmission_fixed_gear_swings(flange1_torque_swing, p->flange1_torque_oscillation_limit,
         s->flange1_torque_side, s->flange1_torque_swings, s->forgotten_swings, &s->flange1_torque_side,
         &s->flange1_torque_swings);
-    const transmission_fixed_gear_real cause_fault_flange1_torque_oscillation =
-        transmission_fixed_gear_select(s->flange1_torque_swings - 5.5 > 0.0, 6005.0, 9999.0);
     /* oscillation of flange2_torque */
-    const transmission_fixed_gear_real flange2_torque_mean_before = transmission_fixed_gear_select(s->running > 0.5,
-        s->flange2_torque_mean, s->flange2_torque_held);
+    const transmission_fixed_gear_real flange2_torque_mean_before = s->flange2_torque_mean;
     const transmission_fixed_gear_real flange2_torque_swing = s->flange2_torque_held - flange2_torque_mean_before;
     s->flange2_torque_mean = flange2_torque_mean_before + flange2_torque_swing * s->mean_share;
-    s->flange2_torque_swings = transmission_fixed_gear_select(s->running > 0.5, s->flange2_torque_swings, 0.0);
     transmission_fixed_gear_swings(flange2_torque_swing, p->flange2_torque_oscillation_limit,
         s->flange2_torque_side, s->flange2_torque_swings, s->forgotten_swings, &s->flange2_torque_side,
         &s->flange2_torque_swings);
-    const transmission_fixed_gear_real cause_fault_flange2_torque_oscillation =
-        transmission_fixed_gear_select(s->flange2_torque_swings - 5.5 > 0.0, 6006.0, 9999.0);
     /* oscillation of M1_torque_ref */
-    const transmission_fixed_gear_real M1_torque_ref_mean_before = transmission_fixed_gear_select(s->running > 0.5,
-        s->M1_torque_ref_mean, 0.0);
+    const transmission_fixed_gear_real M1_torque_ref_mean_before = s->M1_torque_ref_mean;
     const transmission_fixed_gear_real M1_torque_ref_swing = M1_applied - M1_torque_ref_mean_before;
     s->M1_torque_ref_mean = M1_torque_ref_mean_before + M1_torque_ref_swing * s->mean_share;
-    s->M1_torque_ref_swings = transmission_fixed_gear_select(s->running > 0.5, s->M1_torque_ref_swings, 0.0);
     transmission_fixed_gear_swings(M1_torque_ref_swing, p->M1_torque_ref_oscillation_limit, s->M1_torque_ref_side,
         s->M1_torque_ref_swings, s->forgotten_swings, &s->M1_torque_ref_side, &s->M1_torque_ref_swings);
-    const transmission_fixed_gear_real cause_fault_M1_torque_ref_oscillation =
-        transmission_fixed_gear_select(s->M1_torque_ref_swings - 5.5 > 0.0, 8001.0, 9999.0);
     /* oscillation of M2_torque_ref */
-    const transmission_fixed_gear_real M2_torque_ref_mean_before = transmission_fixed_gear_select(s->running > 0.5,
-        s->M2_torque_ref_mean, 0.0);
+    const transmission_fixed_gear_real M2_torque_ref_mean_before = s->M2_torque_ref_mean;
     const transmission_fixed_gear_real M2_torque_ref_swing = M2_applied - M2_torque_ref_mean_before;
     s->M2_torque_ref_mean = M2_torque_ref_mean_before + M2_torque_ref_swing * s->mean_share;
-    s->M2_torque_ref_swings = transmission_fixed_gear_select(s->running > 0.5, s->M2_torque_ref_swings, 0.0);
     transmission_fixed_gear_swings(M2_torque_ref_swing, p->M2_torque_ref_oscillation_limit, s->M2_torque_ref_side,
         s->M2_torque_ref_swings, s->forgotten_swings, &s->M2_torque_ref_side, &s->M2_torque_ref_swings);
-    const transmission_fixed_gear_real cause_fault_M2_torque_ref_oscillation =
-        transmission_fixed_gear_select(s->M2_torque_ref_swings - 5.5 > 0.0, 8002.0, 9999.0);
     /* the first fault is latched */
     const transmission_fixed_gear_real cause_of_watching =
-        transmission_fixed_gear_min(transmission_fixed_gear_min(transmission_fixed_gear_min(transmission_fixed_gear_min(cause_fault_M1_speed_disagreement,
-        cause_fault_M1_speed_frozen), transmission_fixed_gear_min(cause_fault_M1_torque_ref_oscillation,
-        cause_fault_M2_speed_disagreement)),
-        transmission_fixed_gear_min(transmission_fixed_gear_min(cause_fault_M2_speed_frozen,
-        cause_fault_M2_torque_ref_oscillation), transmission_fixed_gear_min(cause_fault_flange1_torque_frozen,
-        cause_fault_flange1_torque_oscillation))), transmission_fixed_gear_min(cause_fault_flange2_torque_frozen,
-        cause_fault_flange2_torque_oscillation));
-    s->fault = transmission_fixed_gear_select(s->fault > 0.5, s->fault,
-        transmission_fixed_gear_select(cause_of_watching > 9998.0, 0.0, cause_of_watching));
+        !(M1_difference <= p->M1_frozen_limit || s->M1_speed_still_time <= p->frozen_time) ? 3004.0 :
+        !(M1_difference <= p->M1_frozen_limit || s->flange1_torque_still_time <= p->frozen_time ||
+        transmission_fixed_gear_abs(M1_applied - s->flange1_torque_command) <= s->M1_moved_torque) ? 3005.0 :
+        !(M2_difference <= p->M2_frozen_limit || s->flange2_torque_still_time <= p->frozen_time ||
+        transmission_fixed_gear_abs(M2_applied - s->flange2_torque_command) <= s->M2_moved_torque) ? 3006.0 :
+        !(M2_difference <= p->M2_frozen_limit || s->M2_speed_still_time <= p->frozen_time) ? 3007.0 :
+        !(s->M1_disagreement_time <= s->bridged_time) ? 5004.0 :
+        !(s->M2_disagreement_time <= s->bridged_time) ? 5007.0 :
+        !(s->flange1_torque_swings <= 5.5) ? 6005.0 :
+        !(s->flange2_torque_swings <= 5.5) ? 6006.0 :
+        !(s->M1_torque_ref_swings <= 5.5) ? 8001.0 :
+        !(s->M2_torque_ref_swings <= 5.5) ? 8002.0 :
+        0.0;
+    s->fault = transmission_fixed_gear_select(s->fault > 0.5, s->fault, cause_of_watching);
     /* limit of the rate */
-    const transmission_fixed_gear_real M2_speed_ref_before = transmission_fixed_gear_select(s->running > 0.5,
-        s->M2_speed_ref_limited, s->M2_speed_held);
+    const transmission_fixed_gear_real M2_speed_ref_before = s->M2_speed_ref_limited;
     s->M2_speed_ref_limited = M2_speed_ref_before + transmission_fixed_gear_max(-s->M2_speed_ref_step,
         transmission_fixed_gear_min(s->M2_speed_ref_step, -M2_speed_ref_before + s->M2_speed_ref_held));
     const transmission_fixed_gear_real M2_speed_error = -s->M2_speed_held + s->M2_speed_ref_limited;
@@ -608,8 +581,8 @@ transmission_fixed_gear_controller_status transmission_fixed_gear_controller_ste
     const transmission_fixed_gear_real M2_given_away = M2_compensation * (load_compensation_before -
         s->load_compensation_now);
     /* PI speed control (5.84) */
-    const transmission_fixed_gear_real M2_integral_before = transmission_fixed_gear_select(p->M2_speed_integral_gain
-        > 0.0, M2_given_away, 0.0) + transmission_fixed_gear_select(s->running > 0.5, s->M2_speed_integral, 0.0);
+    const transmission_fixed_gear_real M2_integral_before = s->M2_speed_integral +
+        transmission_fixed_gear_select(p->M2_speed_integral_gain > 0.0, M2_given_away, 0.0);
     const transmission_fixed_gear_real M2_asked = M2_integral_before + M2_speed_error * p->M2_speed_gain;
     const transmission_fixed_gear_real M2_wanted = M2_asked + M2_compensation * s->load_compensation_now;
     /* torque-speed envelope */
@@ -625,26 +598,30 @@ transmission_fixed_gear_controller_status transmission_fixed_gear_controller_ste
     /* testing torque from the sensors (5.95), (5.96), (5.98) */
     const transmission_fixed_gear_real gearbox_input_torque_estimate = s->M1_unread_M2 * M2_net +
         s->flange1_torque_held;
+    if (s->running <= 0.5) {
+        /* the first step, and the first one after a fault, starts anew */
+        s->gearbox_input_torque_ref_limited = gearbox_input_torque_estimate;
+    }
     /* limit of the rate */
-    const transmission_fixed_gear_real gearbox_input_torque_ref_before = transmission_fixed_gear_select(s->running >
-        0.5, s->gearbox_input_torque_ref_limited, gearbox_input_torque_estimate);
+    const transmission_fixed_gear_real gearbox_input_torque_ref_before = s->gearbox_input_torque_ref_limited;
     s->gearbox_input_torque_ref_limited = gearbox_input_torque_ref_before +
         transmission_fixed_gear_max(-s->gearbox_input_torque_ref_step,
         transmission_fixed_gear_min(s->gearbox_input_torque_ref_step, -gearbox_input_torque_ref_before +
         s->gearbox_input_torque_ref_held));
+    if (s->running <= 0.5) {
+        /* the first step, and the first one after a fault, starts anew */
+        s->M1_model_torque = gearbox_input_torque_estimate;
+    }
     /* torque model (5.57), (5.76) */
-    const transmission_fixed_gear_real M1_model_before = transmission_fixed_gear_select(s->running > 0.5,
-        s->M1_model_torque, gearbox_input_torque_estimate);
-    const transmission_fixed_gear_real M1_rate_before = transmission_fixed_gear_select(s->running > 0.5,
-        s->M1_model_rate, 0.0);
+    const transmission_fixed_gear_real M1_model_before = s->M1_model_torque;
+    const transmission_fixed_gear_real M1_rate_before = s->M1_model_rate;
     s->M1_model_rate = -s->M1_model_drag * M1_rate_before + s->M1_model_pull * (-M1_model_before +
         s->gearbox_input_torque_ref_limited) + M1_rate_before;
     s->M1_model_torque = M1_model_before + s->M1_model_rate * p->sample_time;
     const transmission_fixed_gear_real M1_torque_error = s->M1_model_torque * p->M1_torque_model -
         gearbox_input_torque_estimate + s->gearbox_input_torque_ref_limited * (1.0 - p->M1_torque_model);
     /* torque control (5.99) */
-    const transmission_fixed_gear_real M1_integral_before = transmission_fixed_gear_select(s->running > 0.5,
-        s->M1_torque_integral, 0.0);
+    const transmission_fixed_gear_real M1_integral_before = s->M1_torque_integral;
     const transmission_fixed_gear_real M1_virtual = p->M1_feedforward * s->gearbox_input_torque_ref_limited +
         M1_integral_before + M1_torque_error * p->M1_torque_gain;
     /* active damping (5.62), (5.78) */
@@ -670,39 +647,40 @@ transmission_fixed_gear_controller_status transmission_fixed_gear_controller_ste
     transmission_fixed_gear_real M1_released;
     transmission_fixed_gear_real M1_released_sound;
     transmission_fixed_gear_guard(M1_command, s->M1_largest, s->M1_last, &M1_released, &M1_released_sound);
-    const transmission_fixed_gear_real cause_fault_M1_torque_ref = transmission_fixed_gear_select(M1_released_sound
-        < 1.0, 7001.0, 9999.0);
     transmission_fixed_gear_real M2_released;
     transmission_fixed_gear_real M2_released_sound;
     transmission_fixed_gear_guard(M2_command, s->M2_largest, s->M2_last, &M2_released, &M2_released_sound);
-    const transmission_fixed_gear_real cause_fault_M2_torque_ref = transmission_fixed_gear_select(M2_released_sound
-        < 1.0, 7002.0, 9999.0);
     /* the first fault is latched */
-    const transmission_fixed_gear_real cause_of_commands = transmission_fixed_gear_min(cause_fault_M1_torque_ref,
-        cause_fault_M2_torque_ref);
-    s->fault = transmission_fixed_gear_select(s->fault > 0.5, s->fault,
-        transmission_fixed_gear_select(cause_of_commands > 9998.0, 0.0, cause_of_commands));
+    const transmission_fixed_gear_real cause_of_commands =
+        !(M1_released_sound > 0.5) ? 7001.0 :
+        !(M2_released_sound > 0.5) ? 7002.0 :
+        0.0;
+    s->fault = transmission_fixed_gear_select(s->fault > 0.5, s->fault, cause_of_commands);
     /* ramp of the torques */
     const transmission_fixed_gear_real authority_wanted = s->authority + transmission_fixed_gear_select(s->fault >
         0.5, -s->ramp_step, s->ramp_step);
     transmission_fixed_gear_share(authority_wanted, &s->authority);
     s->running = transmission_fixed_gear_select(s->fault > 0.5, 0.0, 1.0);
-    s->M1_last = transmission_fixed_gear_select(s->fault > 0.5, s->M1_last, M1_released);
+    if (s->fault <= 0.5) {
+        s->M1_last = M1_released;
+        s->M2_last = M2_released;
+    }
     out->M1_torque_ref = transmission_fixed_gear_max(-900.0, transmission_fixed_gear_min(900.0, s->M1_last *
         s->authority));
-    s->M2_last = transmission_fixed_gear_select(s->fault > 0.5, s->M2_last, M2_released);
     out->M2_torque_ref = transmission_fixed_gear_max(-3300.0, transmission_fixed_gear_min(3300.0, s->M2_last *
         s->authority));
     /* The last line of defence, should parameters have been changed without an update. */
-    if (!transmission_fixed_gear_is_finite(out->M1_torque_ref)) {
-        out->M1_torque_ref = 0.0;
-        s->fault = s->fault > 0.0 ? s->fault : TRANSMISSION_FIXED_GEAR_REAL(transmission_fixed_gear_controller_fault_M1_torque_ref);
-        s->running = 0.0;
-    }
-    if (!transmission_fixed_gear_is_finite(out->M2_torque_ref)) {
-        out->M2_torque_ref = 0.0;
-        s->fault = s->fault > 0.0 ? s->fault : TRANSMISSION_FIXED_GEAR_REAL(transmission_fixed_gear_controller_fault_M2_torque_ref);
-        s->running = 0.0;
+    if (!transmission_fixed_gear_is_finite(out->M1_torque_ref + out->M2_torque_ref)) {
+        if (!transmission_fixed_gear_is_finite(out->M1_torque_ref)) {
+            out->M1_torque_ref = 0.0;
+            s->fault = s->fault > 0.0 ? s->fault : TRANSMISSION_FIXED_GEAR_REAL(transmission_fixed_gear_controller_fault_M1_torque_ref);
+            s->running = 0.0;
+        }
+        if (!transmission_fixed_gear_is_finite(out->M2_torque_ref)) {
+            out->M2_torque_ref = 0.0;
+            s->fault = s->fault > 0.0 ? s->fault : TRANSMISSION_FIXED_GEAR_REAL(transmission_fixed_gear_controller_fault_M2_torque_ref);
+            s->running = 0.0;
+        }
     }
     return (transmission_fixed_gear_controller_status)s->fault;
 }

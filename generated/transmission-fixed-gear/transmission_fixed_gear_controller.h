@@ -153,16 +153,21 @@ typedef struct {
     transmission_fixed_gear_real M1_torque_integral; /* integrator of the torque control of M1 (N m) */
     transmission_fixed_gear_real M1_last; /* last torque of M1 before a fault (N m) */
     transmission_fixed_gear_real M2_last; /* last torque of M2 before a fault (N m) */
+    transmission_fixed_gear_real bridged_time; /* for how long bad samples are bridged, with room for rounding (s) */
     transmission_fixed_gear_real switch_share; /* share of a change per step */
     transmission_fixed_gear_real M1_taper_slope; /* share of the torque of M1 per excess of speed (s/rad) */
     transmission_fixed_gear_real M1_taper_end; /* share at standstill if it were not limited */
+    transmission_fixed_gear_real M1_power; /* power of M1 above its rated speed (W) */
     transmission_fixed_gear_real M2_taper_slope; /* share of the torque of M2 per excess of speed (s/rad) */
     transmission_fixed_gear_real M2_taper_end; /* share at standstill if it were not limited */
+    transmission_fixed_gear_real M2_power; /* power of M2 above its rated speed (W) */
     transmission_fixed_gear_real gearbox_ratio_step; /* largest change of gearbox_ratio in a step */
     transmission_fixed_gear_real steps_per_second; /* one over the step (1/s) */
     transmission_fixed_gear_real disagreement_share; /* share of the difference that is forgotten per step */
     transmission_fixed_gear_real M1_per_step; /* change of speed of M1 per torque in a step (rad/s/(N m)) */
+    transmission_fixed_gear_real M1_moved_torque; /* change of the command to M1 that a torque must follow (N m) */
     transmission_fixed_gear_real M2_per_step; /* change of speed of M2 per torque in a step (rad/s/(N m)) */
+    transmission_fixed_gear_real M2_moved_torque; /* change of the command to M2 that a torque must follow (N m) */
     transmission_fixed_gear_real forgotten_swings; /* half swings that are forgotten per step */
     transmission_fixed_gear_real mean_share; /* share of a step in the mean of a torque */
     transmission_fixed_gear_real M2_speed_ref_step; /* largest change of M2_speed_ref in a step (rad/s) */

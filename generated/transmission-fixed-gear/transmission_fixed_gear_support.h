@@ -7,6 +7,7 @@
 #ifndef TRANSMISSION_FIXED_GEAR_SUPPORT_H
 #define TRANSMISSION_FIXED_GEAR_SUPPORT_H
 
+#include <math.h>
 #include <stddef.h>
 
 typedef double transmission_fixed_gear_real;
@@ -18,7 +19,7 @@ typedef double transmission_fixed_gear_real;
 
 static inline transmission_fixed_gear_real transmission_fixed_gear_min(transmission_fixed_gear_real a, transmission_fixed_gear_real b) { return a < b ? a : b; }
 static inline transmission_fixed_gear_real transmission_fixed_gear_max(transmission_fixed_gear_real a, transmission_fixed_gear_real b) { return a > b ? a : b; }
-static inline transmission_fixed_gear_real transmission_fixed_gear_abs(transmission_fixed_gear_real a) { return transmission_fixed_gear_max(-a, a); }
+static inline transmission_fixed_gear_real transmission_fixed_gear_abs(transmission_fixed_gear_real a) { return fabs(a); }
 /* Both are computed before, so that a step takes nearly the same time whichever is chosen. */
 static inline transmission_fixed_gear_real transmission_fixed_gear_select(int condition, transmission_fixed_gear_real a, transmission_fixed_gear_real b)
 {
@@ -144,19 +145,15 @@ static inline void transmission_fixed_gear_guard(transmission_fixed_gear_real va
 {
     const int good = transmission_fixed_gear_abs(value) <= bound; /* false for NaN */
     *held = transmission_fixed_gear_select(good, value, before);
-    *sound = (transmission_fixed_gear_real)good;
+    *sound = transmission_fixed_gear_select(good, 1.0, 0.0);
 }
 
-/* For how long a signal was not sound: a sound step takes back a bad one. `late` is 1 if that is longer than allowed. */
+/* For how long a signal was not sound: a sound step takes back a bad one. No more than `allowed` and a step is counted. */
 static inline void transmission_fixed_gear_lasting(transmission_fixed_gear_real sound, transmission_fixed_gear_real time, transmission_fixed_gear_real step, transmission_fixed_gear_real allowed,
-    transmission_fixed_gear_real *after, transmission_fixed_gear_real *late)
+    transmission_fixed_gear_real *after)
 {
-    const transmission_fixed_gear_real longer = time + step;
-    const transmission_fixed_gear_real left = transmission_fixed_gear_min(time, allowed) - step;
-    const int good = sound > 0.5;
-    const int over = !(longer <= allowed + 0.5 * step); /* 1 for NaN */
-    *after = transmission_fixed_gear_select(good, transmission_fixed_gear_max(left, 0.0), longer);
-    *late = (transmission_fixed_gear_real)(over & !good);
+    const transmission_fixed_gear_real counted = transmission_fixed_gear_min(time, allowed);
+    *after = transmission_fixed_gear_select(sound > 0.5, transmission_fixed_gear_max(counted, step) - step, counted + step);
 }
 
 /* For how long `value` has been the same to the last bit. */
@@ -172,9 +169,8 @@ static inline void transmission_fixed_gear_swings(transmission_fixed_gear_real v
 {
     const transmission_fixed_gear_real above = transmission_fixed_gear_select(value > limit, 1.0, side);
     const transmission_fixed_gear_real now = transmission_fixed_gear_select(value < -limit, -1.0, above);
-    const int changed = transmission_fixed_gear_abs(now - side) > 0.0;
     *after = now;
-    *swings = transmission_fixed_gear_max(count - decay, 0.0) + (transmission_fixed_gear_real)changed;
+    *swings = transmission_fixed_gear_max(count - decay, 0.0) + transmission_fixed_gear_min(transmission_fixed_gear_abs(now - side), 1.0);
 }
 
 /* `value` limited to 0 to 1; 0 for NaN. */
@@ -184,17 +180,25 @@ static inline void transmission_fixed_gear_share(transmission_fixed_gear_real va
 }
 
 /*
- * Function that is linear between the n increasing points of `grid` and constant beyond them; slope[k] holds from
- * grid[k] on, `first` is the value at grid[0]. Always takes the same time.
+ * Function that is linear between the n increasing points of `grid` and constant beyond them: from grid[k] on it is
+ * level[k] + slope[k] * (value - grid[k]); slope[n - 1] is zero. Bisection without branches: always the same time.
  */
 static inline void transmission_fixed_gear_lookup(int n, transmission_fixed_gear_real value, const transmission_fixed_gear_real *grid, const transmission_fixed_gear_real *slope,
-    transmission_fixed_gear_real first, transmission_fixed_gear_real *result)
+    const transmission_fixed_gear_real *level, transmission_fixed_gear_real *result)
 {
-    transmission_fixed_gear_real sum = first;
-    for (int k = 0; k + 1 < n; ++k) {
-        sum += slope[k] * transmission_fixed_gear_min(transmission_fixed_gear_max(value - grid[k], 0.0), grid[k + 1] - grid[k]);
+    const transmission_fixed_gear_real *at = grid;
+    int count = n; /* a constant where this is called, so most of what follows is computed by the compiler */
+    at += (value >= at[count / 2]) * (count / 2), count -= count / 2;
+    at += (value >= at[count / 2]) * (count / 2), count -= count / 2;
+    at += (value >= at[count / 2]) * (count / 2), count -= count / 2;
+    at += (value >= at[count / 2]) * (count / 2), count -= count / 2;
+    at += (value >= at[count / 2]) * (count / 2), count -= count / 2;
+    at += (value >= at[count / 2]) * (count / 2), count -= count / 2;
+    while (count > 1) {
+        at += (value >= at[count / 2]) * (count / 2), count -= count / 2;
     }
-    *result = sum;
+    const ptrdiff_t k = at - grid;
+    *result = level[k] + slope[k] * transmission_fixed_gear_max(value - grid[k], 0.0);
 }
 
 #endif
