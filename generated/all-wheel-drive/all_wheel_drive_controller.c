@@ -682,28 +682,28 @@ all_wheel_drive_controller_status all_wheel_drive_controller_step(all_wheel_driv
     s->fault = s->fault * (1.0 - all_wheel_drive_select(s->authority <= 0.0, s->reset_request, 0.0));
     s->reset_request = all_wheel_drive_select(s->fault > 0.5, s->reset_request, 0.0);
     /* the first fault is latched */
-    const all_wheel_drive_real cause_of_inputs =
-        !(s->centre_input_torque_ref_bad_time <= s->bridged_time) ? 1.0 :
-        !(s->M2_speed_ref_bad_time <= s->bridged_time) ? 2.0 :
-        !(s->M3_speed_ref_bad_time <= s->bridged_time) ? 3.0 :
-        !(s->M4_speed_ref_bad_time <= s->bridged_time) ? 4.0 :
-        !(s->M5_speed_ref_bad_time <= s->bridged_time) ? 5.0 :
-        !(s->M1_speed_bad_time <= s->bridged_time) ? 6.0 :
-        !(s->flange1_torque_bad_time <= s->bridged_time) ? 7.0 :
-        !(s->flange2_torque_bad_time <= s->bridged_time) ? 8.0 :
-        !(s->M2_speed_bad_time <= s->bridged_time) ? 9.0 :
-        !(s->flange3_torque_bad_time <= s->bridged_time) ? 10.0 :
-        !(s->M3_speed_bad_time <= s->bridged_time) ? 11.0 :
-        !(s->flange4_torque_bad_time <= s->bridged_time) ? 12.0 :
-        !(s->M4_speed_bad_time <= s->bridged_time) ? 13.0 :
-        !(s->flange5_torque_bad_time <= s->bridged_time) ? 14.0 :
-        !(s->M5_speed_bad_time <= s->bridged_time) ? 15.0 :
-        !(s->M1_overspeed_time <= s->bridged_time) ? 4006.0 :
-        !(s->M2_overspeed_time <= s->bridged_time) ? 4009.0 :
-        !(s->M3_overspeed_time <= s->bridged_time) ? 4011.0 :
-        !(s->M4_overspeed_time <= s->bridged_time) ? 4013.0 :
-        !(s->M5_overspeed_time <= s->bridged_time) ? 4015.0 :
-        0.0;
+    all_wheel_drive_real cause_of_inputs = 0.0;
+    cause_of_inputs = all_wheel_drive_select(s->M5_overspeed_time <= s->bridged_time, cause_of_inputs, 4015.0);
+    cause_of_inputs = all_wheel_drive_select(s->M4_overspeed_time <= s->bridged_time, cause_of_inputs, 4013.0);
+    cause_of_inputs = all_wheel_drive_select(s->M3_overspeed_time <= s->bridged_time, cause_of_inputs, 4011.0);
+    cause_of_inputs = all_wheel_drive_select(s->M2_overspeed_time <= s->bridged_time, cause_of_inputs, 4009.0);
+    cause_of_inputs = all_wheel_drive_select(s->M1_overspeed_time <= s->bridged_time, cause_of_inputs, 4006.0);
+    cause_of_inputs = all_wheel_drive_select(s->M5_speed_bad_time <= s->bridged_time, cause_of_inputs, 15.0);
+    cause_of_inputs = all_wheel_drive_select(s->flange5_torque_bad_time <= s->bridged_time, cause_of_inputs, 14.0);
+    cause_of_inputs = all_wheel_drive_select(s->M4_speed_bad_time <= s->bridged_time, cause_of_inputs, 13.0);
+    cause_of_inputs = all_wheel_drive_select(s->flange4_torque_bad_time <= s->bridged_time, cause_of_inputs, 12.0);
+    cause_of_inputs = all_wheel_drive_select(s->M3_speed_bad_time <= s->bridged_time, cause_of_inputs, 11.0);
+    cause_of_inputs = all_wheel_drive_select(s->flange3_torque_bad_time <= s->bridged_time, cause_of_inputs, 10.0);
+    cause_of_inputs = all_wheel_drive_select(s->M2_speed_bad_time <= s->bridged_time, cause_of_inputs, 9.0);
+    cause_of_inputs = all_wheel_drive_select(s->flange2_torque_bad_time <= s->bridged_time, cause_of_inputs, 8.0);
+    cause_of_inputs = all_wheel_drive_select(s->flange1_torque_bad_time <= s->bridged_time, cause_of_inputs, 7.0);
+    cause_of_inputs = all_wheel_drive_select(s->M1_speed_bad_time <= s->bridged_time, cause_of_inputs, 6.0);
+    cause_of_inputs = all_wheel_drive_select(s->M5_speed_ref_bad_time <= s->bridged_time, cause_of_inputs, 5.0);
+    cause_of_inputs = all_wheel_drive_select(s->M4_speed_ref_bad_time <= s->bridged_time, cause_of_inputs, 4.0);
+    cause_of_inputs = all_wheel_drive_select(s->M3_speed_ref_bad_time <= s->bridged_time, cause_of_inputs, 3.0);
+    cause_of_inputs = all_wheel_drive_select(s->M2_speed_ref_bad_time <= s->bridged_time, cause_of_inputs, 2.0);
+    cause_of_inputs = all_wheel_drive_select(s->centre_input_torque_ref_bad_time <= s->bridged_time,
+        cause_of_inputs, 1.0);
     s->fault = all_wheel_drive_select(s->fault > 0.5, s->fault, cause_of_inputs);
     if (s->running <= 0.5) {
         /* the first step, and the first one after a fault, starts anew */
@@ -997,38 +997,52 @@ all_wheel_drive_controller_status all_wheel_drive_controller_step(all_wheel_driv
     all_wheel_drive_swings(M5_torque_ref_swing, p->M5_torque_ref_oscillation_limit, s->M5_torque_ref_side,
         s->M5_torque_ref_swings, s->forgotten_swings, &s->M5_torque_ref_side, &s->M5_torque_ref_swings);
     /* the first fault is latched */
-    const all_wheel_drive_real cause_of_watching =
-        !(M1_difference <= p->M1_frozen_limit || s->M1_speed_still_time <= p->frozen_time) ? 3006.0 :
-        !(M1_difference <= p->M1_frozen_limit || s->flange1_torque_still_time <= p->frozen_time ||
-        all_wheel_drive_abs(M1_applied - s->flange1_torque_command) <= s->M1_moved_torque) ? 3007.0 :
-        !(M2_difference <= p->M2_frozen_limit || s->flange2_torque_still_time <= p->frozen_time ||
-        all_wheel_drive_abs(M2_applied - s->flange2_torque_command) <= s->M2_moved_torque) ? 3008.0 :
-        !(M2_difference <= p->M2_frozen_limit || s->M2_speed_still_time <= p->frozen_time) ? 3009.0 :
-        !(M3_difference <= p->M3_frozen_limit || s->flange3_torque_still_time <= p->frozen_time ||
-        all_wheel_drive_abs(M3_applied - s->flange3_torque_command) <= s->M3_moved_torque) ? 3010.0 :
-        !(M3_difference <= p->M3_frozen_limit || s->M3_speed_still_time <= p->frozen_time) ? 3011.0 :
-        !(M4_difference <= p->M4_frozen_limit || s->flange4_torque_still_time <= p->frozen_time ||
-        all_wheel_drive_abs(M4_applied - s->flange4_torque_command) <= s->M4_moved_torque) ? 3012.0 :
-        !(M4_difference <= p->M4_frozen_limit || s->M4_speed_still_time <= p->frozen_time) ? 3013.0 :
-        !(M5_difference <= p->M5_frozen_limit || s->flange5_torque_still_time <= p->frozen_time ||
-        all_wheel_drive_abs(M5_applied - s->flange5_torque_command) <= s->M5_moved_torque) ? 3014.0 :
-        !(M5_difference <= p->M5_frozen_limit || s->M5_speed_still_time <= p->frozen_time) ? 3015.0 :
-        !(s->M1_disagreement_time <= s->bridged_time) ? 5006.0 :
-        !(s->M2_disagreement_time <= s->bridged_time) ? 5009.0 :
-        !(s->M3_disagreement_time <= s->bridged_time) ? 5011.0 :
-        !(s->M4_disagreement_time <= s->bridged_time) ? 5013.0 :
-        !(s->M5_disagreement_time <= s->bridged_time) ? 5015.0 :
-        !(s->flange1_torque_swings <= 5.5) ? 6007.0 :
-        !(s->flange2_torque_swings <= 5.5) ? 6008.0 :
-        !(s->flange3_torque_swings <= 5.5) ? 6010.0 :
-        !(s->flange4_torque_swings <= 5.5) ? 6012.0 :
-        !(s->flange5_torque_swings <= 5.5) ? 6014.0 :
-        !(s->M1_torque_ref_swings <= 5.5) ? 8001.0 :
-        !(s->M2_torque_ref_swings <= 5.5) ? 8002.0 :
-        !(s->M3_torque_ref_swings <= 5.5) ? 8003.0 :
-        !(s->M4_torque_ref_swings <= 5.5) ? 8004.0 :
-        !(s->M5_torque_ref_swings <= 5.5) ? 8005.0 :
-        0.0;
+    all_wheel_drive_real cause_of_watching = 0.0;
+    cause_of_watching = all_wheel_drive_select(s->M5_torque_ref_swings <= 5.5, cause_of_watching, 8005.0);
+    cause_of_watching = all_wheel_drive_select(s->M4_torque_ref_swings <= 5.5, cause_of_watching, 8004.0);
+    cause_of_watching = all_wheel_drive_select(s->M3_torque_ref_swings <= 5.5, cause_of_watching, 8003.0);
+    cause_of_watching = all_wheel_drive_select(s->M2_torque_ref_swings <= 5.5, cause_of_watching, 8002.0);
+    cause_of_watching = all_wheel_drive_select(s->M1_torque_ref_swings <= 5.5, cause_of_watching, 8001.0);
+    cause_of_watching = all_wheel_drive_select(s->flange5_torque_swings <= 5.5, cause_of_watching, 6014.0);
+    cause_of_watching = all_wheel_drive_select(s->flange4_torque_swings <= 5.5, cause_of_watching, 6012.0);
+    cause_of_watching = all_wheel_drive_select(s->flange3_torque_swings <= 5.5, cause_of_watching, 6010.0);
+    cause_of_watching = all_wheel_drive_select(s->flange2_torque_swings <= 5.5, cause_of_watching, 6008.0);
+    cause_of_watching = all_wheel_drive_select(s->flange1_torque_swings <= 5.5, cause_of_watching, 6007.0);
+    cause_of_watching = all_wheel_drive_select(s->M5_disagreement_time <= s->bridged_time, cause_of_watching,
+        5015.0);
+    cause_of_watching = all_wheel_drive_select(s->M4_disagreement_time <= s->bridged_time, cause_of_watching,
+        5013.0);
+    cause_of_watching = all_wheel_drive_select(s->M3_disagreement_time <= s->bridged_time, cause_of_watching,
+        5011.0);
+    cause_of_watching = all_wheel_drive_select(s->M2_disagreement_time <= s->bridged_time, cause_of_watching,
+        5009.0);
+    cause_of_watching = all_wheel_drive_select(s->M1_disagreement_time <= s->bridged_time, cause_of_watching,
+        5006.0);
+    cause_of_watching = all_wheel_drive_select(M5_difference <= p->M5_frozen_limit || s->M5_speed_still_time <=
+        p->frozen_time, cause_of_watching, 3015.0);
+    cause_of_watching = all_wheel_drive_select(M5_difference <= p->M5_frozen_limit || s->flange5_torque_still_time
+        <= p->frozen_time || all_wheel_drive_abs(M5_applied - s->flange5_torque_command) <= s->M5_moved_torque,
+        cause_of_watching, 3014.0);
+    cause_of_watching = all_wheel_drive_select(M4_difference <= p->M4_frozen_limit || s->M4_speed_still_time <=
+        p->frozen_time, cause_of_watching, 3013.0);
+    cause_of_watching = all_wheel_drive_select(M4_difference <= p->M4_frozen_limit || s->flange4_torque_still_time
+        <= p->frozen_time || all_wheel_drive_abs(M4_applied - s->flange4_torque_command) <= s->M4_moved_torque,
+        cause_of_watching, 3012.0);
+    cause_of_watching = all_wheel_drive_select(M3_difference <= p->M3_frozen_limit || s->M3_speed_still_time <=
+        p->frozen_time, cause_of_watching, 3011.0);
+    cause_of_watching = all_wheel_drive_select(M3_difference <= p->M3_frozen_limit || s->flange3_torque_still_time
+        <= p->frozen_time || all_wheel_drive_abs(M3_applied - s->flange3_torque_command) <= s->M3_moved_torque,
+        cause_of_watching, 3010.0);
+    cause_of_watching = all_wheel_drive_select(M2_difference <= p->M2_frozen_limit || s->M2_speed_still_time <=
+        p->frozen_time, cause_of_watching, 3009.0);
+    cause_of_watching = all_wheel_drive_select(M2_difference <= p->M2_frozen_limit || s->flange2_torque_still_time
+        <= p->frozen_time || all_wheel_drive_abs(M2_applied - s->flange2_torque_command) <= s->M2_moved_torque,
+        cause_of_watching, 3008.0);
+    cause_of_watching = all_wheel_drive_select(M1_difference <= p->M1_frozen_limit || s->flange1_torque_still_time
+        <= p->frozen_time || all_wheel_drive_abs(M1_applied - s->flange1_torque_command) <= s->M1_moved_torque,
+        cause_of_watching, 3007.0);
+    cause_of_watching = all_wheel_drive_select(M1_difference <= p->M1_frozen_limit || s->M1_speed_still_time <=
+        p->frozen_time, cause_of_watching, 3006.0);
     s->fault = all_wheel_drive_select(s->fault > 0.5, s->fault, cause_of_watching);
     /* limit of the rate */
     const all_wheel_drive_real M2_speed_ref_before = s->M2_speed_ref_limited;
@@ -1187,13 +1201,12 @@ all_wheel_drive_controller_status all_wheel_drive_controller_step(all_wheel_driv
     all_wheel_drive_real M5_released_sound;
     all_wheel_drive_guard(M5_command, s->M5_largest, s->M5_last, &M5_released, &M5_released_sound);
     /* the first fault is latched */
-    const all_wheel_drive_real cause_of_commands =
-        !(M1_released_sound > 0.5) ? 7001.0 :
-        !(M2_released_sound > 0.5) ? 7002.0 :
-        !(M3_released_sound > 0.5) ? 7003.0 :
-        !(M4_released_sound > 0.5) ? 7004.0 :
-        !(M5_released_sound > 0.5) ? 7005.0 :
-        0.0;
+    all_wheel_drive_real cause_of_commands = 0.0;
+    cause_of_commands = all_wheel_drive_select(M5_released_sound > 0.5, cause_of_commands, 7005.0);
+    cause_of_commands = all_wheel_drive_select(M4_released_sound > 0.5, cause_of_commands, 7004.0);
+    cause_of_commands = all_wheel_drive_select(M3_released_sound > 0.5, cause_of_commands, 7003.0);
+    cause_of_commands = all_wheel_drive_select(M2_released_sound > 0.5, cause_of_commands, 7002.0);
+    cause_of_commands = all_wheel_drive_select(M1_released_sound > 0.5, cause_of_commands, 7001.0);
     s->fault = all_wheel_drive_select(s->fault > 0.5, s->fault, cause_of_commands);
     /* ramp of the torques */
     const all_wheel_drive_real authority_wanted = s->authority + all_wheel_drive_select(s->fault > 0.5,

@@ -341,16 +341,15 @@ back_to_back_controller_status back_to_back_controller_step(back_to_back_control
     s->fault = s->fault * (1.0 - back_to_back_select(s->authority <= 0.0, s->reset_request, 0.0));
     s->reset_request = back_to_back_select(s->fault > 0.5, s->reset_request, 0.0);
     /* the first fault is latched */
-    const back_to_back_real cause_of_inputs =
-        !(s->flange1_torque_ref_bad_time <= s->bridged_time) ? 1.0 :
-        !(s->M2_speed_ref_bad_time <= s->bridged_time) ? 2.0 :
-        !(s->M1_speed_bad_time <= s->bridged_time) ? 3.0 :
-        !(s->flange1_torque_bad_time <= s->bridged_time) ? 4.0 :
-        !(s->flange2_torque_bad_time <= s->bridged_time) ? 5.0 :
-        !(s->M2_speed_bad_time <= s->bridged_time) ? 6.0 :
-        !(s->M1_overspeed_time <= s->bridged_time) ? 4003.0 :
-        !(s->M2_overspeed_time <= s->bridged_time) ? 4006.0 :
-        0.0;
+    back_to_back_real cause_of_inputs = 0.0;
+    cause_of_inputs = back_to_back_select(s->M2_overspeed_time <= s->bridged_time, cause_of_inputs, 4006.0);
+    cause_of_inputs = back_to_back_select(s->M1_overspeed_time <= s->bridged_time, cause_of_inputs, 4003.0);
+    cause_of_inputs = back_to_back_select(s->M2_speed_bad_time <= s->bridged_time, cause_of_inputs, 6.0);
+    cause_of_inputs = back_to_back_select(s->flange2_torque_bad_time <= s->bridged_time, cause_of_inputs, 5.0);
+    cause_of_inputs = back_to_back_select(s->flange1_torque_bad_time <= s->bridged_time, cause_of_inputs, 4.0);
+    cause_of_inputs = back_to_back_select(s->M1_speed_bad_time <= s->bridged_time, cause_of_inputs, 3.0);
+    cause_of_inputs = back_to_back_select(s->M2_speed_ref_bad_time <= s->bridged_time, cause_of_inputs, 2.0);
+    cause_of_inputs = back_to_back_select(s->flange1_torque_ref_bad_time <= s->bridged_time, cause_of_inputs, 1.0);
     s->fault = back_to_back_select(s->fault > 0.5, s->fault, cause_of_inputs);
     if (s->running <= 0.5) {
         /* the first step, and the first one after a fault, starts anew */
@@ -496,20 +495,23 @@ back_to_back_controller_status back_to_back_controller_step(back_to_back_control
     back_to_back_swings(M2_torque_ref_swing, p->M2_torque_ref_oscillation_limit, s->M2_torque_ref_side,
         s->M2_torque_ref_swings, s->forgotten_swings, &s->M2_torque_ref_side, &s->M2_torque_ref_swings);
     /* the first fault is latched */
-    const back_to_back_real cause_of_watching =
-        !(M1_difference <= p->M1_frozen_limit || s->M1_speed_still_time <= p->frozen_time) ? 3003.0 :
-        !(M1_difference <= p->M1_frozen_limit || s->flange1_torque_still_time <= p->frozen_time ||
-        back_to_back_abs(M1_applied - s->flange1_torque_command) <= s->M1_moved_torque) ? 3004.0 :
-        !(M2_difference <= p->M2_frozen_limit || s->flange2_torque_still_time <= p->frozen_time ||
-        back_to_back_abs(M2_applied - s->flange2_torque_command) <= s->M2_moved_torque) ? 3005.0 :
-        !(M2_difference <= p->M2_frozen_limit || s->M2_speed_still_time <= p->frozen_time) ? 3006.0 :
-        !(s->M1_disagreement_time <= s->bridged_time) ? 5003.0 :
-        !(s->M2_disagreement_time <= s->bridged_time) ? 5006.0 :
-        !(s->flange1_torque_swings <= 5.5) ? 6004.0 :
-        !(s->flange2_torque_swings <= 5.5) ? 6005.0 :
-        !(s->M1_torque_ref_swings <= 5.5) ? 8001.0 :
-        !(s->M2_torque_ref_swings <= 5.5) ? 8002.0 :
-        0.0;
+    back_to_back_real cause_of_watching = 0.0;
+    cause_of_watching = back_to_back_select(s->M2_torque_ref_swings <= 5.5, cause_of_watching, 8002.0);
+    cause_of_watching = back_to_back_select(s->M1_torque_ref_swings <= 5.5, cause_of_watching, 8001.0);
+    cause_of_watching = back_to_back_select(s->flange2_torque_swings <= 5.5, cause_of_watching, 6005.0);
+    cause_of_watching = back_to_back_select(s->flange1_torque_swings <= 5.5, cause_of_watching, 6004.0);
+    cause_of_watching = back_to_back_select(s->M2_disagreement_time <= s->bridged_time, cause_of_watching, 5006.0);
+    cause_of_watching = back_to_back_select(s->M1_disagreement_time <= s->bridged_time, cause_of_watching, 5003.0);
+    cause_of_watching = back_to_back_select(M2_difference <= p->M2_frozen_limit || s->M2_speed_still_time <=
+        p->frozen_time, cause_of_watching, 3006.0);
+    cause_of_watching = back_to_back_select(M2_difference <= p->M2_frozen_limit || s->flange2_torque_still_time <=
+        p->frozen_time || back_to_back_abs(M2_applied - s->flange2_torque_command) <= s->M2_moved_torque,
+        cause_of_watching, 3005.0);
+    cause_of_watching = back_to_back_select(M1_difference <= p->M1_frozen_limit || s->flange1_torque_still_time <=
+        p->frozen_time || back_to_back_abs(M1_applied - s->flange1_torque_command) <= s->M1_moved_torque,
+        cause_of_watching, 3004.0);
+    cause_of_watching = back_to_back_select(M1_difference <= p->M1_frozen_limit || s->M1_speed_still_time <=
+        p->frozen_time, cause_of_watching, 3003.0);
     s->fault = back_to_back_select(s->fault > 0.5, s->fault, cause_of_watching);
     /* limit of the rate */
     const back_to_back_real M2_speed_ref_before = s->M2_speed_ref_limited;
@@ -583,10 +585,9 @@ back_to_back_controller_status back_to_back_controller_step(back_to_back_control
     back_to_back_real M2_released_sound;
     back_to_back_guard(M2_command, s->M2_largest, s->M2_last, &M2_released, &M2_released_sound);
     /* the first fault is latched */
-    const back_to_back_real cause_of_commands =
-        !(M1_released_sound > 0.5) ? 7001.0 :
-        !(M2_released_sound > 0.5) ? 7002.0 :
-        0.0;
+    back_to_back_real cause_of_commands = 0.0;
+    cause_of_commands = back_to_back_select(M2_released_sound > 0.5, cause_of_commands, 7002.0);
+    cause_of_commands = back_to_back_select(M1_released_sound > 0.5, cause_of_commands, 7001.0);
     s->fault = back_to_back_select(s->fault > 0.5, s->fault, cause_of_commands);
     /* ramp of the torques */
     const back_to_back_real authority_wanted = s->authority + back_to_back_select(s->fault > 0.5, -s->ramp_step,

@@ -449,20 +449,20 @@ differential_controller_status differential_controller_step(differential_control
     s->fault = s->fault * (1.0 - differential_select(s->authority <= 0.0, s->reset_request, 0.0));
     s->reset_request = differential_select(s->fault > 0.5, s->reset_request, 0.0);
     /* the first fault is latched */
-    const differential_real cause_of_inputs =
-        !(s->diff_input_torque_ref_bad_time <= s->bridged_time) ? 1.0 :
-        !(s->M2_speed_ref_bad_time <= s->bridged_time) ? 2.0 :
-        !(s->M3_speed_ref_bad_time <= s->bridged_time) ? 3.0 :
-        !(s->M1_speed_bad_time <= s->bridged_time) ? 4.0 :
-        !(s->flange1_torque_bad_time <= s->bridged_time) ? 5.0 :
-        !(s->flange2_torque_bad_time <= s->bridged_time) ? 6.0 :
-        !(s->M2_speed_bad_time <= s->bridged_time) ? 7.0 :
-        !(s->flange3_torque_bad_time <= s->bridged_time) ? 8.0 :
-        !(s->M3_speed_bad_time <= s->bridged_time) ? 9.0 :
-        !(s->M1_overspeed_time <= s->bridged_time) ? 4004.0 :
-        !(s->M2_overspeed_time <= s->bridged_time) ? 4007.0 :
-        !(s->M3_overspeed_time <= s->bridged_time) ? 4009.0 :
-        0.0;
+    differential_real cause_of_inputs = 0.0;
+    cause_of_inputs = differential_select(s->M3_overspeed_time <= s->bridged_time, cause_of_inputs, 4009.0);
+    cause_of_inputs = differential_select(s->M2_overspeed_time <= s->bridged_time, cause_of_inputs, 4007.0);
+    cause_of_inputs = differential_select(s->M1_overspeed_time <= s->bridged_time, cause_of_inputs, 4004.0);
+    cause_of_inputs = differential_select(s->M3_speed_bad_time <= s->bridged_time, cause_of_inputs, 9.0);
+    cause_of_inputs = differential_select(s->flange3_torque_bad_time <= s->bridged_time, cause_of_inputs, 8.0);
+    cause_of_inputs = differential_select(s->M2_speed_bad_time <= s->bridged_time, cause_of_inputs, 7.0);
+    cause_of_inputs = differential_select(s->flange2_torque_bad_time <= s->bridged_time, cause_of_inputs, 6.0);
+    cause_of_inputs = differential_select(s->flange1_torque_bad_time <= s->bridged_time, cause_of_inputs, 5.0);
+    cause_of_inputs = differential_select(s->M1_speed_bad_time <= s->bridged_time, cause_of_inputs, 4.0);
+    cause_of_inputs = differential_select(s->M3_speed_ref_bad_time <= s->bridged_time, cause_of_inputs, 3.0);
+    cause_of_inputs = differential_select(s->M2_speed_ref_bad_time <= s->bridged_time, cause_of_inputs, 2.0);
+    cause_of_inputs = differential_select(s->diff_input_torque_ref_bad_time <= s->bridged_time, cause_of_inputs,
+        1.0);
     s->fault = differential_select(s->fault > 0.5, s->fault, cause_of_inputs);
     if (s->running <= 0.5) {
         /* the first step, and the first one after a fault, starts anew */
@@ -655,26 +655,31 @@ differential_controller_status differential_controller_step(differential_control
     differential_swings(M3_torque_ref_swing, p->M3_torque_ref_oscillation_limit, s->M3_torque_ref_side,
         s->M3_torque_ref_swings, s->forgotten_swings, &s->M3_torque_ref_side, &s->M3_torque_ref_swings);
     /* the first fault is latched */
-    const differential_real cause_of_watching =
-        !(M1_difference <= p->M1_frozen_limit || s->M1_speed_still_time <= p->frozen_time) ? 3004.0 :
-        !(M1_difference <= p->M1_frozen_limit || s->flange1_torque_still_time <= p->frozen_time ||
-        differential_abs(M1_applied - s->flange1_torque_command) <= s->M1_moved_torque) ? 3005.0 :
-        !(M2_difference <= p->M2_frozen_limit || s->flange2_torque_still_time <= p->frozen_time ||
-        differential_abs(M2_applied - s->flange2_torque_command) <= s->M2_moved_torque) ? 3006.0 :
-        !(M2_difference <= p->M2_frozen_limit || s->M2_speed_still_time <= p->frozen_time) ? 3007.0 :
-        !(M3_difference <= p->M3_frozen_limit || s->flange3_torque_still_time <= p->frozen_time ||
-        differential_abs(M3_applied - s->flange3_torque_command) <= s->M3_moved_torque) ? 3008.0 :
-        !(M3_difference <= p->M3_frozen_limit || s->M3_speed_still_time <= p->frozen_time) ? 3009.0 :
-        !(s->M1_disagreement_time <= s->bridged_time) ? 5004.0 :
-        !(s->M2_disagreement_time <= s->bridged_time) ? 5007.0 :
-        !(s->M3_disagreement_time <= s->bridged_time) ? 5009.0 :
-        !(s->flange1_torque_swings <= 5.5) ? 6005.0 :
-        !(s->flange2_torque_swings <= 5.5) ? 6006.0 :
-        !(s->flange3_torque_swings <= 5.5) ? 6008.0 :
-        !(s->M1_torque_ref_swings <= 5.5) ? 8001.0 :
-        !(s->M2_torque_ref_swings <= 5.5) ? 8002.0 :
-        !(s->M3_torque_ref_swings <= 5.5) ? 8003.0 :
-        0.0;
+    differential_real cause_of_watching = 0.0;
+    cause_of_watching = differential_select(s->M3_torque_ref_swings <= 5.5, cause_of_watching, 8003.0);
+    cause_of_watching = differential_select(s->M2_torque_ref_swings <= 5.5, cause_of_watching, 8002.0);
+    cause_of_watching = differential_select(s->M1_torque_ref_swings <= 5.5, cause_of_watching, 8001.0);
+    cause_of_watching = differential_select(s->flange3_torque_swings <= 5.5, cause_of_watching, 6008.0);
+    cause_of_watching = differential_select(s->flange2_torque_swings <= 5.5, cause_of_watching, 6006.0);
+    cause_of_watching = differential_select(s->flange1_torque_swings <= 5.5, cause_of_watching, 6005.0);
+    cause_of_watching = differential_select(s->M3_disagreement_time <= s->bridged_time, cause_of_watching, 5009.0);
+    cause_of_watching = differential_select(s->M2_disagreement_time <= s->bridged_time, cause_of_watching, 5007.0);
+    cause_of_watching = differential_select(s->M1_disagreement_time <= s->bridged_time, cause_of_watching, 5004.0);
+    cause_of_watching = differential_select(M3_difference <= p->M3_frozen_limit || s->M3_speed_still_time <=
+        p->frozen_time, cause_of_watching, 3009.0);
+    cause_of_watching = differential_select(M3_difference <= p->M3_frozen_limit || s->flange3_torque_still_time <=
+        p->frozen_time || differential_abs(M3_applied - s->flange3_torque_command) <= s->M3_moved_torque,
+        cause_of_watching, 3008.0);
+    cause_of_watching = differential_select(M2_difference <= p->M2_frozen_limit || s->M2_speed_still_time <=
+        p->frozen_time, cause_of_watching, 3007.0);
+    cause_of_watching = differential_select(M2_difference <= p->M2_frozen_limit || s->flange2_torque_still_time <=
+        p->frozen_time || differential_abs(M2_applied - s->flange2_torque_command) <= s->M2_moved_torque,
+        cause_of_watching, 3006.0);
+    cause_of_watching = differential_select(M1_difference <= p->M1_frozen_limit || s->flange1_torque_still_time <=
+        p->frozen_time || differential_abs(M1_applied - s->flange1_torque_command) <= s->M1_moved_torque,
+        cause_of_watching, 3005.0);
+    cause_of_watching = differential_select(M1_difference <= p->M1_frozen_limit || s->M1_speed_still_time <=
+        p->frozen_time, cause_of_watching, 3004.0);
     s->fault = differential_select(s->fault > 0.5, s->fault, cause_of_watching);
     /* limit of the rate */
     const differential_real M2_speed_ref_before = s->M2_speed_ref_limited;
@@ -777,11 +782,10 @@ differential_controller_status differential_controller_step(differential_control
     differential_real M3_released_sound;
     differential_guard(M3_command, s->M3_largest, s->M3_last, &M3_released, &M3_released_sound);
     /* the first fault is latched */
-    const differential_real cause_of_commands =
-        !(M1_released_sound > 0.5) ? 7001.0 :
-        !(M2_released_sound > 0.5) ? 7002.0 :
-        !(M3_released_sound > 0.5) ? 7003.0 :
-        0.0;
+    differential_real cause_of_commands = 0.0;
+    cause_of_commands = differential_select(M3_released_sound > 0.5, cause_of_commands, 7003.0);
+    cause_of_commands = differential_select(M2_released_sound > 0.5, cause_of_commands, 7002.0);
+    cause_of_commands = differential_select(M1_released_sound > 0.5, cause_of_commands, 7001.0);
     s->fault = differential_select(s->fault > 0.5, s->fault, cause_of_commands);
     /* ramp of the torques */
     const differential_real authority_wanted = s->authority + differential_select(s->fault > 0.5, -s->ramp_step,

@@ -111,7 +111,7 @@ class ControllerWriter:
     def latch(self, causes: Sequence[tuple[Fault, Boolean]], name: str, source: str) -> None:
         """Declare faults, each with the condition under which all is well, and latch the one with the lowest status.
 
-        The conditions are taken one after the other, so it costs next to nothing while all is well. One that compares
+        All conditions are looked at in every step, so that it takes the same time whatever comes in. One that compares
         with a number that is not finite does not hold.
         """
         self.faults += [fault for fault, _ in causes]

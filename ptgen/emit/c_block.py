@@ -253,11 +253,13 @@ class CBlock:
         return self._call(statement, declared)
 
     def _choice(self, statement: Assign, printer: CExpressions) -> list[str]:
-        """Return a chain of conditions, one below the other, as the declaration of a local scalar."""
+        """Return a chain of conditions, the first one last: it wins, and all are looked at whatever comes in."""
         *chain, (last, _) = _chain(statement.expression)
-        lines = [f"const {self.prefix}_real {statement.target} ="]
-        lines += [f"    !({printer.doprint(well)}) ? {printer.doprint(value)} :" for value, well in chain]
-        return [*lines, f"    {printer.doprint(last)};"]
+        target, select = statement.target, f"{self.prefix}_select"
+        lines = [f"{self.prefix}_real {target} = {printer.doprint(last)};"]
+        for value, well in reversed(chain):
+            lines.append(f"{target} = {select}({printer.doprint(well)}, {target}, {printer.doprint(value)});")
+        return lines
 
     def _call(self, call: Call, declared: set[str]) -> list[str]:
         lines = []
