@@ -247,6 +247,7 @@ def _decouple(reduced: ReducedModel, roles: Roles, structure: Structure, losses:
         findings.check_uncontrolled_twists(model, torque_count)
         state_law, R = individual_law(rows, balances, system, forms, wishes, _swinging(reduced))
     law = complete_law(rows, state_law, R, forms, balances, _swinging(reduced))
+    findings.check_speed_rows(law.P, actuators, torque_count, machines)
     return Decoupling(
         structure=structure,
         findings=() if singular is None else tuple(problem.what for problem in singular.problems),

@@ -19,6 +19,7 @@ __all__ = [
     "check_degrees",
     "check_internal",
     "check_places",
+    "check_speed_rows",
     "check_uncontrolled_twists",
     "singular_matrix",
     "unmeasured",
@@ -150,6 +151,20 @@ def check_internal(eigenvalues: NDArray[np.complex128], swinging: Sequence[str],
         names = ", ".join(f'"{name}"' for name in swinging)
         remedy = f"give the shafts their damping, or leave the inertia out of the design: [reduction] drop = [{names}]"
     raise ControlError(Problem("control", what, remedy))
+
+
+def check_speed_rows(P: sp.Matrix, actuators: Sequence[int], torques: int, machines: Sequence[str]) -> None:
+    """Raise if the law of a speed-controlled machine needs what another controller asks for."""
+    problems = []
+    for position, machine in enumerate(actuators):
+        others = [machines[actuators[k]] for k, entry in enumerate(P[machine, :]) if k != position and entry != 0]
+        if position >= torques and others:
+            name = machines[machine]
+            what = f"an inertia moves rigidly with {name} and with {_listed(others)}, so their speeds hang together"
+            remedy = f"put a torque flange next to {name}, or leave the inertia out with [reduction] drop"
+            problems.append(Problem("control.speed", what, remedy))
+    if problems:
+        raise ControlError(problems)
 
 
 def _counted(states: int) -> str:

@@ -40,11 +40,12 @@ def abbreviate(model: Model) -> AbbreviatedModel:
             symbol = sp.Symbol(f"{name}_equivalent_stiffness", **({"positive": True} if i == j else {"real": True}))
             definitions[symbol] = C[i, j]
             short[i, j] = short[j, i] = symbol
-    if not definitions:
+    mass, inertias = _short_mass(model)
+    if not definitions and not inertias:
         return AbbreviatedModel(model, {})
 
     def shorten(form: LinearForm) -> LinearForm:
-        if all(entry == 0 for entry in form.e):
+        if not definitions or all(entry == 0 for entry in form.e):
             return form
         ratios = exact.solve(C.T, form.e.T).T
         return replace(form, e=exact.canonical(ratios * short))
@@ -59,8 +60,38 @@ def abbreviate(model: Model) -> AbbreviatedModel:
             signed=not symbol.is_positive,
         )
         for symbol, expression in definitions.items()
+    ) + tuple(
+        Parameter(
+            symbol,
+            float(evaluate_matrix(sp.Matrix([[expression]]), model.values)[0, 0]),
+            "kg m^2",
+            f"equivalent inertia {symbol.name.removesuffix('_equivalent_inertia')}",
+            positive=bool(symbol.is_positive),
+            signed=not symbol.is_positive,
+        )
+        for symbol, expression in inertias.items()
     )
     signals = {name: shorten(form) for name, form in model.signals.items()}
     return AbbreviatedModel(
-        replace(model, stiffness=short, signals=signals, parameters=model.parameters + parameters), definitions
+        replace(model, mass=mass, stiffness=short, signals=signals, parameters=model.parameters + parameters),
+        {**definitions, **inertias},
     )
+
+
+def _short_mass(model: Model) -> tuple[sp.Matrix, dict[sp.Symbol, sp.Expr]]:
+    """Return the inertia matrix with names for its entries, if it couples coordinates; and what they stand for."""
+    mass = model.mass.copy()
+    size = mass.shape[0]
+    if all(mass[i, j] == 0 for i in range(size) for j in range(i)):
+        return mass, {}
+    definitions: dict[sp.Symbol, sp.Expr] = {}
+    names = [name.removesuffix(".shaft").replace(".", "_") for name in model.coordinates]
+    for i in range(size):
+        for j in range(i, size):
+            if mass[i, j] == 0 or mass[i, j].is_Symbol:
+                continue
+            name = names[i] if i == j else f"{names[i]}_{names[j]}"
+            symbol = sp.Symbol(f"{name}_equivalent_inertia", **({"positive": True} if i == j else {"real": True}))
+            definitions[symbol] = model.mass[i, j]
+            mass[i, j] = mass[j, i] = symbol
+    return mass, definitions

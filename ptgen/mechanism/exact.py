@@ -6,7 +6,9 @@ in canonical form at every step; generic symbolic matrices would swell and be a 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
+from fractions import Fraction
 
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
@@ -23,6 +25,7 @@ __all__ = [
     "row_vector",
     "solve",
     "stack",
+    "valued",
 ]
 
 
@@ -132,7 +135,9 @@ def row_combination(rows: sp.Matrix, basis: sp.Matrix) -> sp.Matrix:
 def preferred_solution(matrix: sp.Matrix, right: sp.Matrix) -> sp.Matrix | None:
     """Solve ``matrix x = right`` with as many zeros as possible at the end of ``x``.
 
-    The columns of `matrix` stand in the order of preference; columns that are not needed get zero.
+    The columns of `matrix` stand in the order of preference; columns that are not needed get zero. Which columns and
+    which equations are needed is found with a prime number in place of each parameter; only these are solved in
+    symbols.
 
     Returns
     -------
@@ -140,14 +145,50 @@ def preferred_solution(matrix: sp.Matrix, right: sp.Matrix) -> sp.Matrix | None:
         None if there is no solution.
     """
     columns = matrix.shape[1]
-    reduced, pivots = _domain(matrix.row_join(right)).rref()
+    sample = _at_primes(matrix.row_join(right))
+    reduced, pivots = sample.rref()
     if columns in pivots:
         return None
-    entries = reduced.to_Matrix()
+    solved = reduced.to_Matrix()
+    needed = [pivot for index, pivot in enumerate(pivots) if solved[index, columns] != 0]
     solution = sp.zeros(columns, 1)
-    for index, pivot in enumerate(pivots):
-        solution[pivot, 0] = entries[index, columns]
+    if needed:
+        rows = sample.to_Matrix()[:, needed]
+        equations = list(DomainMatrix.from_Matrix(rows.T).to_field().rref()[1])
+        found = solve(matrix[equations, :][:, needed], right[equations, :])
+        for position, column in enumerate(needed):
+            solution[column, 0] = found[position, 0]
     return solution
+
+
+def _at_primes(matrix: sp.Matrix) -> DomainMatrix:
+    """Return the matrix with every symbol a prime of its own: what holds there holds for almost all values."""
+    symbols = sorted(matrix.free_symbols, key=lambda symbol: symbol.name)
+    table = {symbol: Fraction(sp.prime(25 + 3 * k)) for k, symbol in enumerate(symbols)}
+    return DomainMatrix.from_Matrix(valued(matrix, table)).to_field()
+
+
+def valued(matrix: sp.Matrix, values: Mapping[sp.Symbol, Fraction]) -> sp.Matrix:
+    """Return a matrix of rational expressions at `values`, as rational numbers."""
+    result = sp.zeros(*matrix.shape)
+    for (row, column), entry in sp.SparseMatrix(matrix).todok().items():
+        value = _value_at(entry, values)
+        result[row, column] = sp.Rational(value.numerator, value.denominator)
+    return result
+
+
+def _value_at(expression: sp.Expr, values: Mapping[sp.Symbol, Fraction]) -> Fraction:
+    if expression.is_Symbol:
+        return values[expression]
+    if expression.is_Rational:
+        return Fraction(int(expression.p), int(expression.q))
+    if expression.is_Add:
+        return sum((_value_at(argument, values) for argument in expression.args), Fraction(0))
+    if expression.is_Mul:
+        return math.prod((_value_at(argument, values) for argument in expression.args), start=Fraction(1))
+    if expression.is_Pow and expression.exp.is_Integer:
+        return _value_at(expression.base, values) ** int(expression.exp)
+    raise TypeError(f"{expression} is no rational expression")
 
 
 def _rows_of(matrix: sp.Matrix) -> list[sp.Matrix]:

@@ -213,11 +213,7 @@ class Model:
         table = {symbol: Fraction(f"{value:.12g}") for symbol, value in self.values.items()}
 
         def numbers(matrix: sp.Matrix) -> sp.Matrix:
-            result = sp.zeros(*matrix.shape)
-            for (row, column), entry in sp.SparseMatrix(matrix).todok().items():
-                value = _exact_value(entry, table)
-                result[row, column] = sp.Rational(value.numerator, value.denominator)
-            return result
+            return exact.valued(matrix, table)
 
         return replace(
             self,
@@ -304,19 +300,4 @@ def _value(expression: sp.Expr, values: Mapping[sp.Symbol, float]) -> float:
         return math.prod(_value(argument, values) for argument in expression.args)
     if expression.is_Pow:
         return float(_value(expression.base, values) ** _value(expression.exp, values))
-    raise TypeError(f"{expression} is no rational expression")
-
-
-def _exact_value(expression: sp.Expr, values: Mapping[sp.Symbol, Fraction]) -> Fraction:
-    """Evaluate a rational expression exactly."""
-    if expression.is_Symbol:
-        return values[expression]
-    if expression.is_Rational:
-        return Fraction(int(expression.p), int(expression.q))
-    if expression.is_Add:
-        return sum((_exact_value(argument, values) for argument in expression.args), Fraction(0))
-    if expression.is_Mul:
-        return math.prod((_exact_value(argument, values) for argument in expression.args), start=Fraction(1))
-    if expression.is_Pow and expression.exp.is_Integer:
-        return _exact_value(expression.base, values) ** int(expression.exp)
     raise TypeError(f"{expression} is no rational expression")

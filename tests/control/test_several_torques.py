@@ -8,10 +8,11 @@ import sympy as sp
 from control_laws import ClosedLoop, design, is_zero, symbols, wanted
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from mechanism.bed_text import differential_bed
+from mechanism.bed_text import Bed, differential_bed
 
 from ptgen.control.decoupling import Decoupling, decouple
 from ptgen.elements import SensorKind
+from ptgen.errors import ControlError
 from ptgen.mechanism.model import evaluate_matrix
 from ptgen.project import Project
 
@@ -147,3 +148,42 @@ def test_known_loss_that_no_sensor_shows_is_fed_forward(projects: dict[str, Proj
     known = decouple(project.reduced, project.testbed.roles, losses=("gearbox1.input",))
     assert is_zero(known.law.R_losses - sp.Matrix([1, 0, 0]))
     assert "gearbox1_loss" in str(known.law_expressions()["M1"])
+
+
+def coupled_rotors(flanges: bool) -> Bed:
+    """Return a differential with a heavy cage that M2 and M3 turn rigidly."""
+    bed = Bed()
+    for index, inertia in enumerate((1.0, 10.3, 8.0), start=1):
+        bed.machine(f"M{index}", inertia)
+    bed.add("flange1", "torque_flange", inertia=1e-4, stiffness=4e6)
+    bed.add("cardan1", "shaft", stiffness=5e4)
+    radii = {"radius_output1": 0.08, "radius_output2": 0.06, "radius_pinion": 0.05}
+    inertias = {"inertia_drive": 2.0, "inertia_cage": 5.0, "inertia_output1": 0.012, "inertia_output2": 0.009}
+    slip = {"limited_slip": {"coulomb": 20.0}}
+    bed.add("diff", "bevel_differential", ratio=2.5, inertia_pinion=0.003, **radii, **inertias, **slip)
+    bed.chains = ["M1 - flange1 - cardan1 - diff.input", "diff.output1 - M2", "diff.output2 - M3"]
+    if flanges:
+        for k in (2, 3):
+            bed.add(f"flange{k}", "torque_flange", inertia=1e-4, stiffness=4e6)
+        bed.chains[1:] = [f"diff.output{k} - flange{k + 1} - M{k + 1}" for k in (1, 2)]
+        bed.reduction["rigid"] = ["flange2", "flange3"]
+    bed.torque, bed.speed = {"M1": "flange1"}, ["M2", "M3"]
+    bed.reduction["keep"] = ["diff"]
+    return bed
+
+
+def test_rigidly_coupled_rotors_are_decoupled_by_their_flanges() -> None:
+    """The inertia matrix has a cross term; with a flange beside each rotor the law has none, and takes seconds."""
+    decoupling = design(coupled_rotors(flanges=True))
+    assert decoupling.model.mass[1, 2] != 0
+    assert is_zero(decoupling.law.P[1:, 1:] - sp.eye(2))
+    damping = {"M1_damping": 40.0}
+    to_v, _ = ClosedLoop(decoupling, damping).transfer(5 + 20j)
+    expected = wanted(decoupling, damping, 5 + 20j)
+    assert np.max(abs(to_v - expected) / abs(np.diag(expected))[:, None]) < 1e-7
+
+
+def test_rigidly_coupled_rotors_without_flanges_are_refused() -> None:
+    with pytest.raises(ControlError) as caught:
+        design(coupled_rotors(flanges=False))
+    assert "torque flange next to" in caught.value.problems[0].remedy
