@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ptgen.control.writer import ControllerWriter
+from ptgen.control.writer import ControllerWriter, greatest_of, smallest_of
 
 __all__ = ["TAPER", "Envelope", "envelope"]
 
@@ -29,7 +29,7 @@ class Envelope:
 
     def clamp(self, torque: sp.Expr, share: sp.Expr = sp.S.One) -> sp.Expr:
         """Return `torque` within a share of the envelope."""
-        return sp.Max(share * self.least, sp.Min(share * self.most, torque))
+        return greatest_of(share * self.least, smallest_of(share * self.most, torque))
 
 
 def envelope(w: ControllerWriter, machine: int, measured: Mapping[str, sp.Symbol]) -> Envelope:
@@ -48,8 +48,8 @@ def envelope(w: ControllerWriter, machine: int, measured: Mapping[str, sp.Symbol
     speed = measured[w.speed_sensor(machine)]
     source = "torque-speed envelope, Figure 7.1"
     power = w.derive(f"{name}_power", "W", f"power of {name} above its rated speed", w.of_bed(drive.torque_max) * rated)
-    available = w.assign(f"{name}_available", power / sp.Max(rated, sp.Abs(speed)), source)
-    above, below = (sp.Max(0, sp.Min(1, end - sign * slope * speed)) for sign in (1, -1))
+    available = w.assign(f"{name}_available", power / greatest_of(rated, sp.Abs(speed)), source)
+    above, below = (greatest_of(0, smallest_of(1, end - sign * slope * speed)) for sign in (1, -1))
     return Envelope(
         least=w.assign(f"{name}_least", -available * below, source),
         most=w.assign(f"{name}_most", available * above, source),

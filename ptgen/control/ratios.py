@@ -13,7 +13,7 @@ import sympy as sp
 
 from ptgen.control.decoupling import Decoupling
 from ptgen.control.references import limited
-from ptgen.control.writer import ControllerWriter, signal_symbol
+from ptgen.control.writer import ControllerWriter, greatest_of, signal_symbol, smallest_of
 
 __all__ = ["SHIFT_TIME", "changing_ratios", "ratio_bounds", "ratio_inputs"]
 
@@ -44,7 +44,9 @@ def changing_ratios(w: ControllerWriter, measured: Mapping[str, sp.Symbol]) -> d
             continue
         least = w.parameter(f"{name}_least", "", f"least {name}", span[0], None, allowed=False)
         most = w.parameter(f"{name}_most", "", f"largest {name}", span[1], None, allowed=False)
-        inside = w.assign(f"{name}_inside", sp.Max(least, sp.Min(most, measured[name])), "range and rate of the ratio")
+        inside = w.assign(
+            f"{name}_inside", greatest_of(least, smallest_of(most, measured[name])), "range and rate of the ratio"
+        )
         now = limited(w, name, "", inside, inside, float(f"{(span[1] - span[0]) / SHIFT_TIME:.6g}"), here=True)
         if any(entry != 0 for entry in w.design.law.ratio_rates.get(name, ())):
             per_step = w.derive("steps_per_second", "1/s", "one over the step", 1 / signal_symbol("sample_time"))

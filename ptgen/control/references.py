@@ -15,7 +15,7 @@ import sympy as sp
 from ptgen.control.decoupling import Decoupling
 from ptgen.control.plausibility import plausible_speed
 from ptgen.control.tuning import Gains
-from ptgen.control.writer import ControllerWriter, signal_symbol
+from ptgen.control.writer import ControllerWriter, greatest_of, signal_symbol, smallest_of
 from ptgen.plant.layout import signal_name
 from ptgen.testbed.testbed import Tuning
 
@@ -80,7 +80,7 @@ def limited(
     step = w.derive(f"{name}_step", unit, f"largest change of {name} in a step", signal_symbol("sample_time") * most)
     state = w.state(f"{name}_limited", unit, f"{name} behind its rate limiter")
     before = w.assign(f"{name}_before", w.previous(state, start, here=here), "limit of the rate")
-    return w.assign(state.name, before + sp.Max(-step, sp.Min(step, target - before)))
+    return w.assign(state.name, before + greatest_of(-step, smallest_of(step, target - before)))
 
 
 def speed_references(w: ControllerWriter, measured: Mapping[str, sp.Symbol]) -> dict[str, sp.Expr]:

@@ -7,7 +7,7 @@ from dataclasses import replace
 import sympy as sp
 
 from ptgen.block.block import Fault, Signal
-from ptgen.control.writer import ControllerWriter, signal_symbol
+from ptgen.control.writer import ControllerWriter, greatest_of, signal_symbol, smallest_of
 
 __all__ = ["release"]
 
@@ -27,7 +27,7 @@ def release(w: ControllerWriter, commands: dict[int, sp.Symbol], h: sp.Symbol) -
     for machine, name in enumerate(w.design.machines):
         rating = ratings[name] = _rating(w, machine)
         w.state(f"{name}_last", "N m", f"last torque of {name} before a fault", monitor=True)
-        largest = sp.Float("1.01") * sp.Min(signal_symbol(f"{name}_torque_max"), rating)  # room for rounding
+        largest = sp.Float("1.01") * smallest_of(signal_symbol(f"{name}_torque_max"), rating)  # room for rounding
         w.derive(f"{name}_largest", "N m", f"torque of {name} that is a fault", largest)
         w.call(
             "guard",
@@ -57,7 +57,7 @@ def release(w: ControllerWriter, commands: dict[int, sp.Symbol], h: sp.Symbol) -
         w.assign(f"{name}_last", released, "ramp of the torques", condition=fault <= HALF)
     for name, rating in ratings.items():
         applied = signal_symbol(f"{name}_last") * authority
-        w.assign(f"{name}_torque_ref", sp.Max(-rating, sp.Min(rating, applied)))
+        w.assign(f"{name}_torque_ref", greatest_of(-rating, smallest_of(rating, applied)))
     return tuple(outputs)
 
 

@@ -22,7 +22,7 @@ from sympy.logic.boolalg import And, Boolean
 
 from ptgen.block.block import Fault, Signal
 from ptgen.control.plausibility import overspeed, plausible
-from ptgen.control.writer import ControllerWriter, signal_symbol
+from ptgen.control.writer import ControllerWriter, greatest_of, signal_symbol
 
 __all__ = ["supervise"]
 
@@ -118,7 +118,7 @@ def _reset(w: ControllerWriter, sound: list[Boolean]) -> None:
     # false for NaN and infinity
     pressed = sp.Piecewise((sp.Integer(1), sp.Abs(signal_symbol("reset") - 1) <= HALF), (0, True))
     pressed = w.assign("reset_pressed", pressed, text)
-    asked = sp.Max(pressed - before, request) * (1 - refused)
+    asked = greatest_of(pressed - before, request) * (1 - refused)
     zero = sp.Integer(0)
     asked = sp.Piecewise((asked, And(*sound)), (zero, True))
     wanted = sp.Piecewise((asked, fault > HALF), (zero, True), evaluate=False)

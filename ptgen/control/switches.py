@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ptgen.control.writer import ControllerWriter, signal_symbol
+from ptgen.control.writer import ControllerWriter, greatest_of, signal_symbol, smallest_of
 
 __all__ = ["RESOLUTION", "Switch", "follow"]
 
@@ -53,10 +53,10 @@ def follow(w: ControllerWriter, name: str, unit: str = "") -> Switch:
     before = w.assign(f"{name}_before", w.previous(now, value), f"{name} follows its parameter along a ramp")
     distance = w.assign(f"{name}_distance", value - before)
     least = RESOLUTION * (sp.Abs(value) + sp.Abs(before))  # less would be lost in rounding, and never arrive
-    w.assign(step.name, sp.Max(sp.Abs(distance) * share, least), condition=sp.Ne(value, target))
+    w.assign(step.name, greatest_of(sp.Abs(distance) * share, least), condition=sp.Ne(value, target))
     # In this order a step that is not a number lands at once, so that none is left after a fault.
     far = sp.Abs(distance) > step
-    w.assign(now.name, sp.Piecewise((before + sp.Max(-step, sp.Min(step, distance)), far), (value, True)))
+    w.assign(now.name, sp.Piecewise((before + greatest_of(-step, smallest_of(step, distance)), far), (value, True)))
     w.assign(step.name, sp.Piecewise((step, far), (sp.Integer(0), True)))
     w.assign(target.name, value)
     return Switch(now, before)

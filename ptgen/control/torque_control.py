@@ -9,7 +9,7 @@ import sympy as sp
 
 from ptgen.control.envelope import Envelope
 from ptgen.control.references import limited
-from ptgen.control.writer import ControllerWriter, signal_symbol
+from ptgen.control.writer import ControllerWriter, greatest_of, signal_symbol, smallest_of
 from ptgen.mechanism.model import evaluate_matrix
 from ptgen.plant.layout import signal_name
 
@@ -132,7 +132,7 @@ def torque_command(
     command = w.assign(f"{name}_command", envelope.clamp(kept + damping), "torque-speed envelope")
     # The integrator stands while the machine is at its limit and the error would drive it further.
     beyond = (asked - kept) * feedback.error * share
-    limited_integral = sp.Max(-bound, sp.Min(bound, before + growth * feedback.error))
+    limited_integral = greatest_of(-bound, smallest_of(bound, before + growth * feedback.error))
     w.assign(
         f"{name}_torque_integral",
         sp.Piecewise((before, beyond > 0), (limited_integral, True)),

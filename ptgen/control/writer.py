@@ -14,7 +14,17 @@ from ptgen.elements import SensorKind
 from ptgen.mechanism.model import Model
 from ptgen.testbed.testbed import Tuning
 
-__all__ = ["ControllerWriter", "signal_symbol"]
+__all__ = ["ControllerWriter", "greatest_of", "signal_symbol", "smallest_of"]
+
+
+def greatest_of(*values: sp.Expr | float) -> sp.Expr:
+    """Return ``max``, as it stands: looking for arguments that never win takes sympy a second per controller."""
+    return sp.Max(*values, evaluate=False)
+
+
+def smallest_of(*values: sp.Expr | float) -> sp.Expr:
+    """Return ``min``, as it stands."""
+    return sp.Min(*values, evaluate=False)
 
 
 def signal_symbol(name: str) -> sp.Symbol:
