@@ -4,12 +4,51 @@ from __future__ import annotations
 
 import os
 import tempfile
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 
 from ptgen.errors import Problem, PtgenError
 
-__all__ = ["write_file", "write_files"]
+__all__ = ["replace_file", "write_file", "write_files"]
+
+
+def replace_file(path: Path, content: bytes, check: Callable[[Path], None]) -> None:
+    """Write new content of a file that is there to a temporary file beside it, check that one, and rename it.
+
+    Permissions stay; a link stays a link.
+
+    Parameters
+    ----------
+    path : Path
+    content : bytes
+    check : callable
+        Takes the temporary file; what it raises leaves the old one as it is.
+
+    Raises
+    ------
+    PtgenError
+        If the file does not exist or cannot be written.
+    """
+    try:
+        target = path.resolve(strict=True)
+        mode = target.stat().st_mode & 0o777
+        if not mode & 0o222 or not os.access(target, os.W_OK):
+            what = "cannot be written (it is read-only)"
+            raise PtgenError(Problem("", what, "allow writing, or copy the file first"), str(path))
+        handle, name = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.")
+        temporary = Path(name)
+        try:
+            with os.fdopen(handle, "wb") as stream:
+                stream.write(content)
+            check(temporary)
+            temporary.chmod(mode)
+            temporary.replace(target)
+        except BaseException:
+            temporary.unlink(missing_ok=True)
+            raise
+    except OSError as error:
+        what = f"cannot be written ({error.strerror or error})"
+        raise PtgenError(Problem("", what, "check file and folder, and that you may write there"), str(path)) from None
 
 
 def write_file(path: Path, content: str | bytes) -> None:

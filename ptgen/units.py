@@ -13,7 +13,7 @@ from typing import Any
 
 import pint
 
-__all__ = ["QuantityError", "from_si", "parse", "wanted_units"]
+__all__ = ["QuantityError", "from_si", "parse", "rounded_down", "unit_of", "wanted_units"]
 
 _DEFINITIONS = """
 tera- = 1e12 = T-
@@ -159,6 +159,40 @@ def from_si(value: float, unit: str, shown: str) -> float:
     1000
     """
     return float(_registry().Quantity(value, _unit(unit)).to(_unit(shown)).magnitude)
+
+
+def unit_of(text: str) -> str:
+    """Return the unit of a quantity as it is written there.
+
+    Examples
+    --------
+    >>> unit_of("5 Hz"), unit_of("300us"), unit_of("0.5")
+    ('Hz', 'us', '')
+    """
+    return _split_glued(text.replace("_", ""))[1].strip()
+
+
+def rounded_down(value: float, unit: str, shown: str, digits: int = 3) -> str:
+    """Return a positive quantity in the unit `shown`, rounded down, as `parse` reads it.
+
+    Parameters
+    ----------
+    value : float
+        In the SI unit `unit`.
+    unit, shown : str
+    digits : int
+        Significant digits.
+
+    Examples
+    --------
+    >>> rounded_down(31.4155, "rad/s", "Hz"), rounded_down(0.0299999, "s", "ms"), rounded_down(0.7, "", "%")
+    ('4.99 Hz', '29.9 ms', '70 %')
+    """
+    number = value / parse(f"1 {shown}" if shown else 1, unit)
+    places = digits - 1 - math.floor(math.log10(number) + 1e-12)
+    scaled = math.floor(number * 10.0**places * (1 + 1e-12))
+    text = str(scaled * 10**-places) if places <= 0 else f"{scaled / 10.0**places:.{places}f}".rstrip("0").rstrip(".")
+    return f"{text} {shown}".strip()
 
 
 def _finite(value: float, text: object) -> float:

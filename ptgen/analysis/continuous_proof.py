@@ -46,6 +46,7 @@ __all__ = [
     "Verdict",
     "continuous_proof",
     "equivalent_observer",
+    "gain_values",
     "prove",
 ]
 
@@ -192,7 +193,7 @@ def continuous_proof(
     known = {signal.name: float(signal.value) for signal in design.controller.block.parameters}
     kinds = {name: speed_control or _kind(name, known) for name in design.decoupling.machines}
     loop = symbolic_loop(design.decoupling, reduced.equivalent_damping, kinds)
-    values = _gain_values(design.gains, loop, known)
+    values = gain_values(design.gains, loop, known)
     conventional = {**values, **_by_name(loop, design.controller.conventional)}
     damping = dict.fromkeys(design.decoupling.damping, 0.0)
     positions = {
@@ -280,8 +281,17 @@ def _kind(machine: str, parameters: Mapping[str, float]) -> LoopKind:
     return LoopKind.SPEED_OBSERVER if f"{machine}_observer_bandwidth" in parameters else LoopKind.SPEED_PI
 
 
-def _gain_values(gains: Gains, loop: SymbolicLoop, parameters: Mapping[str, float]) -> dict[sp.Symbol, float]:
-    """Return the gains of the controller of the bed, and of a speed control that it could have instead."""
+def gain_values(gains: Gains, loop: SymbolicLoop, parameters: Mapping[str, float]) -> dict[sp.Symbol, float]:
+    """Return the gains of the controller of a bed, and of a speed control that it could have instead.
+
+    Parameters
+    ----------
+    gains : Gains
+    loop : SymbolicLoop
+        Its gains are returned.
+    parameters : mapping
+        Of the controller, by name; they precede `gains`.
+    """
     possible = {f"{name}_observer_bandwidth": value for name, value in gains.observer_bandwidth.items()}
     possible |= {f"{name}_speed_integral_gain": value for name, value in gains.speed_integral.items()}
     for name, twisting in gains.super_twisting.items():

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from ptgen.control.controller import controller_block
+from functools import cached_property
+
+from ptgen.control.controller import controller_block, conventional_parameters
 from ptgen.control.decoupling import Decoupling
-from ptgen.control.tuning import gains
+from ptgen.control.tuning import Gains, gains
 from ptgen.mechanism.model import Model
 from ptgen.mechanism.modes import Mode
 from ptgen.testbed.testbed import Tuning
@@ -46,10 +48,19 @@ class WishedParameters:
         self._sample_time, self._conventional = sample_time, conventional
         self.tuning = tuning
 
+    def gains(self, **wishes: float) -> Gains:
+        """Return the gains for `wishes`, keys of `WISHES`, in place of those of the file."""
+        return gains(self._decoupling, self._full, self.tuning.model_copy(update=wishes), self._modes)
+
     def at(self, **wishes: float) -> dict[str, float]:
-        """Return all parameters for `wishes` in place of those of the file, by name."""
-        tuning = self.tuning.model_copy(update=wishes)
-        found = gains(self._decoupling, self._full, tuning, self._modes)
-        made = controller_block(self._decoupling, found, tuning, self._full, self._sample_time)
-        parameters = {signal.name: signal.value for signal in made.block.parameters}
-        return {**parameters, **made.conventional} if self._conventional else parameters
+        """Return all parameters for `wishes`, keys of `WISHES`, in place of those of the file, by name."""
+        found = self.gains(**wishes)
+        changed = found.parameters()
+        parameters = {name: changed.get(name, value) for name, value in self._of_file.items()}
+        return parameters | (conventional_parameters(self._decoupling, found) if self._conventional else {})
+
+    @cached_property
+    def _of_file(self) -> dict[str, float]:
+        """Parameters for the wishes of the file; the block is written once, other wishes change its gains alone."""
+        made = controller_block(self._decoupling, self.gains(), self.tuning, self._full, self._sample_time)
+        return {signal.name: signal.value for signal in made.block.parameters}

@@ -7,13 +7,14 @@ import json
 import math
 import sys
 import unicodedata
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from typing import Any
 
 from rich.console import Console, RenderableType
 from rich.text import Text
 
-__all__ = ["messages", "prepare_streams", "print_json", "print_parts"]
+__all__ = ["messages", "prepare_streams", "print_json", "print_parts", "progress"]
 
 _PLAIN_WIDTH = 120
 """Width of tables when stdout is no terminal."""
@@ -45,6 +46,33 @@ def print_parts(parts: Iterable[RenderableType]) -> None:
 def print_json(document: Mapping[str, Any]) -> None:
     """Print a JSON document on stdout, and nothing else; numbers that are not finite become null."""
     sys.stdout.write(json.dumps(_finite(document), indent=2, ensure_ascii=True, allow_nan=False) + "\n")
+
+
+@contextmanager
+def progress(title: str) -> Iterator[tuple[Callable[[str], None], Callable[[float], None]]]:
+    """Show a progress bar on stderr, if that is a terminal.
+
+    Yields
+    ------
+    show : callable
+        Names the work that is going on.
+    advance : callable
+        Takes the share that is done, 0 to 1.
+    """
+    from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeRemainingColumn
+
+    console = messages()
+    columns = (TextColumn("{task.description}"), BarColumn(), TaskProgressColumn(), TimeRemainingColumn())
+    with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as bar:
+        task = bar.add_task(title, total=1.0)
+
+        def show(work: str) -> None:
+            bar.update(task, description=f"{title}: {work}")
+
+        def advance(share: float) -> None:
+            bar.update(task, completed=share)
+
+        yield show, advance
 
 
 def prepare_streams() -> None:

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -15,7 +14,7 @@ from rich.text import Text
 
 from ptgen.cli.options import AsJson, BedFile, ControllerKind, MethodKind
 from ptgen.cli.outcome import reported
-from ptgen.cli.output import messages, print_json, print_parts
+from ptgen.cli.output import print_json, print_parts, progress
 from ptgen.errors import Problem, RunError
 
 if TYPE_CHECKING:
@@ -72,7 +71,7 @@ def simulate(
     parameters = parsed_parameters(settings or [])
     project = Project.read(file)
     course = load_scenario(scenario, project.testbed)
-    with _progress(course.title or course.name) as (show, advance):
+    with progress(course.title or course.name) as (show, advance):
         show("compile")
         library = build(project)
         show("run")
@@ -126,33 +125,6 @@ def parsed_parameters(settings: Sequence[str]) -> dict[str, float]:
     if problems:
         raise RunError(problems)
     return parameters
-
-
-@contextmanager
-def _progress(title: str) -> Iterator[tuple[Callable[[str], None], Callable[[float], None]]]:
-    """Show a progress bar on stderr, if that is a terminal.
-
-    Yields
-    ------
-    show : callable
-        Names the work that is going on.
-    advance : callable
-        Takes the share that is done, 0 to 1.
-    """
-    from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeRemainingColumn
-
-    console = messages()
-    columns = (TextColumn("{task.description}"), BarColumn(), TaskProgressColumn(), TimeRemainingColumn())
-    with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as bar:
-        task = bar.add_task(title, total=1.0)
-
-        def show(work: str) -> None:
-            bar.update(task, description=f"{title}: {work}")
-
-        def advance(share: float) -> None:
-            bar.update(task, completed=share)
-
-        yield show, advance
 
 
 def _summary(recording: Recording) -> list[Table | str]:

@@ -49,7 +49,7 @@ from ptgen.control.writer import ControllerWriter
 from ptgen.mechanism.model import Model
 from ptgen.testbed.testbed import Tuning
 
-__all__ = ["ControllerBlock", "controller_block"]
+__all__ = ["ControllerBlock", "controller_block", "conventional_parameters"]
 
 
 @dataclass(frozen=True)
@@ -151,7 +151,7 @@ def controller_block(
         step=(*w.statements[:supervision], *w.restart, *w.statements[supervision:]),
         faults=tuple(w.faults),
     )
-    return ControllerBlock(block, _conventional(decoupling, gains), references)
+    return ControllerBlock(block, conventional_parameters(decoupling, gains), references)
 
 
 def _used_sensors(w: ControllerWriter) -> list[str]:
@@ -170,8 +170,14 @@ def _used_sensors(w: ControllerWriter) -> list[str]:
     ]
 
 
-def _conventional(design: Decoupling, gains: Gains) -> dict[str, float]:
-    """Return the parameters that make the block the conventional controller, Figure 5.10."""
+def conventional_parameters(design: Decoupling, gains: Gains) -> dict[str, float]:
+    """Return the parameters that make the block the conventional controller, Figure 5.10.
+
+    Parameters
+    ----------
+    design : Decoupling
+    gains : Gains
+    """
     values = {"load_compensation": 0.0, "acceleration_torque": 0.0}
     for machine in design.actuators[: design.torque_count]:
         name = design.machines[machine]

@@ -82,6 +82,21 @@ class Gains:
     speed_rate: Mapping[str, float]
     torque_rate: Mapping[str, float]
 
+    def parameters(self) -> dict[str, float]:
+        """Return the gains of all feedback by the names of the controller's parameters, any kind of speed control."""
+        named = {
+            "speed_gain": self.speed,
+            "speed_integral_gain": self.speed_integral,
+            "observer_bandwidth": self.observer_bandwidth,
+            "twisting_gain": {name: twisting.k1 for name, twisting in self.super_twisting.items()},
+            "twisting_rate": {name: twisting.k2 for name, twisting in self.super_twisting.items()},
+            "twisting_layer": {name: twisting.layer for name, twisting in self.super_twisting.items()},
+            "torque_integral_gain": self.torque_integral,
+            "damping": self.damping,
+            "model_damping": self.damping,
+        }
+        return {f"{name}_{key}": value for key, values in named.items() for name, value in values.items()}
+
 
 def gains(decoupling: Decoupling, full: Model, tuning: Tuning, modes: tuple[Mode, ...]) -> Gains:
     r"""Return gains for the bandwidths and the damping ratio in `tuning`.

@@ -34,7 +34,9 @@ __all__ = [
     "analyse",
     "chosen_frictions",
     "chosen_parameters",
+    "full_model",
     "loop_family",
+    "sensor_filters",
 ]
 
 HORIZON = 1.0
@@ -236,7 +238,7 @@ def analyse(
     """
     given = dict(parameters or {})
     held, problems = chosen_frictions(project, locked, free)
-    full = _full_model(project, held)
+    full = full_model(project, held)
     family = loop_family(project, full)
     chosen, wrong = chosen_parameters(project, family, controller, given)
     if problems or wrong:
@@ -257,7 +259,7 @@ def analyse(
                 controls=roles.get(found.machine, "speed"),
                 critical_hz=critical,
                 mode=modes.near(critical),
-                budget=phase_budget(table, found.machine, critical, _filters(project, full, found.machine)),
+                budget=phase_budget(table, found.machine, critical, sensor_filters(project, full, found.machine)),
             )
         )
     weak = [k for k, pole in enumerate(poles) if pole.is_unstable or (pole.damping_ratio < 0.1 and pole.s.imag > 0)]
@@ -345,7 +347,8 @@ def _continuous(project: Project, controller: ControllerName) -> Setting:
     return named[0] if named else settings[0]  # positions of the switches that make no difference are left out
 
 
-def _full_model(project: Project, locked: tuple[str, ...]) -> Model:
+def full_model(project: Project, locked: tuple[str, ...]) -> Model:
+    """Return the full model of a bed with closed gaps, the named friction elements locked."""
     if not locked:
         return project.model
     mechanism = project.mechanism.with_closed_backlash().with_locked_frictions(set(locked))
@@ -357,7 +360,7 @@ def _table(project: Project, family: LoopFamily, chosen: Mapping[str, float]) ->
     return {**{s.name: s.value for block in blocks for s in block.parameters}, **chosen}
 
 
-def _filters(project: Project, full: Model, machine: str) -> list[str]:
+def sensor_filters(project: Project, full: Model, machine: str) -> list[str]:
     """Return the time constants of the filters of the sensors that the law of a machine, and its own control, read."""
     decoupling = project.design.decoupling
     row = decoupling.law.R[decoupling.machines.index(machine), :]

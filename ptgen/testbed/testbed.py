@@ -71,6 +71,12 @@ class Tuning(Record):
     torque_gain: Annotated[
         float, Quantity("", "proportional gain of the torque control (5.99)", positive=False, signed=True)
     ] = 0.0
+    delay_margin: (
+        Annotated[float, Quantity("s", "additional delay that tune leaves room for", positive=False)] | None
+    ) = None
+    """Of each machine alone and of all together; by default three sample times."""
+    disk_margin: Annotated[float, Quantity("", "disk margin that tune leaves", positive=False)] = 0.05
+    """Below 2; at 0.05 every torque may be wrong by 5 % and 2.9 deg, each in its own way."""
     switch_time: Annotated[float, Quantity("s", "time in which a switch or a damping follows a change")] = 0.5
     speed_rate: Annotated[float, Quantity("rad/s^2", "largest rate of a speed reference")] | None = None
     torque_rate: Annotated[float, Quantity("N m/s", "largest rate of a torque reference")] | None = None
@@ -84,6 +90,13 @@ class Tuning(Record):
     def _above_minus_one(cls, value: float) -> float:
         if value <= -1:
             raise ValueError(f"must be above -1, got {value:g}; below, the torque loop has no stable gain (5.115a)")
+        return value
+
+    @field_validator("disk_margin")
+    @classmethod
+    def _below_two(cls, value: float) -> float:
+        if value >= 2:
+            raise ValueError(f"must be below 2, got {value:g}; no loop that does anything has a disk margin of 2")
         return value
 
     def speed_control_of(self, machine: str) -> SpeedControlName:
