@@ -7,6 +7,7 @@
 >>> design = model.reduce().decouple()                      # doctest: +SKIP
 >>> controller, plant = design.blocks()                     # doctest: +SKIP
 >>> ptgen.analyse(design).margins                           # doctest: +SKIP
+>>> ptgen.tune(design, speed_bandwidth="8 Hz").changes      # doctest: +SKIP
 >>> ptgen.emit(design, "build/differential")                # doctest: +SKIP
 >>> recording = ptgen.simulate(design, "scenarios/differential-run.toml")  # doctest: +SKIP
 """
@@ -28,12 +29,14 @@ from ptgen.mechanism.reduction import ReducedModel
 from ptgen.project import Project
 from ptgen.report.loop_analysis import LoopAnalysis
 from ptgen.report.loop_analysis import analyse as analyse_loop
+from ptgen.report.loop_tuning import LoopTuning, write_wishes
+from ptgen.report.loop_tuning import tune as tune_loop
 from ptgen.simulate.recording import Recording
 from ptgen.simulate.run import ControllerName
 from ptgen.simulate.run import simulate as run_scenario
 from ptgen.testbed import Roles, Testbed, load_scenario
 
-__all__ = ["AssembledBed", "Bed", "DesignedBed", "ReducedBed", "analyse", "emit", "load", "simulate"]
+__all__ = ["AssembledBed", "Bed", "DesignedBed", "ReducedBed", "analyse", "emit", "load", "simulate", "tune"]
 
 
 @dataclass(frozen=True)
@@ -130,6 +133,38 @@ def analyse(
 ) -> LoopAnalysis:
     """Analyse the sampled closed loop of a bed; see `ptgen.report.loop_analysis.analyse`."""
     return analyse_loop(bed.project, locked=locked, controller=controller, parameters=parameters)
+
+
+def tune(
+    bed: Bed | DesignedBed,
+    *,
+    locked: Collection[str] = (),
+    free: Collection[str] = (),
+    write: bool = False,
+    **options: str | float | None,
+) -> LoopTuning:
+    """Find the largest wishes that keep the margins; see `ptgen.report.loop_tuning.tune`.
+
+    Parameters
+    ----------
+    bed : Bed or DesignedBed
+    locked, free : collection of str
+        Friction elements that stick, or slip, other than the file takes them.
+    write : bool
+        Whether to write the wishes that hold into the bed file.
+    **options : str or float
+        ``speed_bandwidth``, ``torque_bandwidth`` or ``torque_rise_time``, ``damping_ratio``, ``delay_margin``,
+        ``disk_margin``, as the bed file writes them: ``"5 Hz"``, ``0.7``.
+
+    Raises
+    ------
+    PtgenError
+        With all problems of the options, or of writing.
+    """
+    found = tune_loop(bed.project, options, locked=locked, free=free)
+    if write:
+        write_wishes(bed.project, found, locked=locked, free=free)
+    return found
 
 
 def emit(bed: Bed | DesignedBed, directory: str | Path, precision: Precision = "double") -> list[Path]:

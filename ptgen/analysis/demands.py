@@ -12,7 +12,7 @@ from ptgen.analysis.continuous_proof import Setting, gain_values
 from ptgen.analysis.disk_margin import disk_margin
 from ptgen.analysis.frequency import NEUTRAL, FrequencyResponse, frequency_grid, others_closed
 from ptgen.analysis.linear import LoopFamily
-from ptgen.analysis.margins import common_delay_margin, machine_delay_margin
+from ptgen.analysis.margins import delay_margins
 from ptgen.analysis.symbolic_loop import SymbolicLoop
 from ptgen.analysis.wishes import WishedParameters
 
@@ -101,7 +101,7 @@ class DemandedLoop:
         fixed: Mapping[str, float] | None = None,
     ) -> None:
         self.family, self.wishes, self.proof, self.demands = family, wishes, proof, demands
-        self._symbols, self._fixed = symbols, dict(fixed or {})
+        self.symbols, self._fixed = symbols, dict(fixed or {})
         self._known: dict[tuple[tuple[str, float], ...], bool] = {}
 
     @property
@@ -119,7 +119,7 @@ class DemandedLoop:
         if key not in self._known:
             parameters = self.parameters(wishes)
             self._known[key] = not self._is_unstable_with_delay(parameters) and all(
-                check.holds for check in self._checks(wishes, parameters)
+                check.holds for check in self._checks(wishes, parameters, exact=False)
             )
         return self._known[key]
 
@@ -136,25 +136,24 @@ class DemandedLoop:
                 return True
         return False
 
-    def _checks(self, wishes: Mapping[str, float], parameters: Mapping[str, float]) -> Iterator[Check]:
+    def _checks(
+        self, wishes: Mapping[str, float], parameters: Mapping[str, float], exact: bool = True
+    ) -> Iterator[Check]:
+        """Yield every demand; if not `exact`, margins that are large enough anyway without their last digits."""
         stability = self._stability(parameters)
         yield stability
         yield self._proof(wishes, parameters)
         if not stability.holds:
             return
-        demands, machines = self.demands, self.family.machines
+        demands = self.demands
         loop, steps = self.family.loop(parameters)
         response = FrequencyResponse(loop, steps)
-        disk = disk_margin(response, frequency_grid(loop))
+        disk = disk_margin(response, frequency_grid(loop), None if exact else demands.disk)
         yield Check("disk", _sensitive(response, disk.frequency_hz), disk.alpha, demands.disk, disk.frequency_hz)
-        common = common_delay_margin(self.family, parameters)
-        where = common.frequency_hz
-        yield Check("common_delay", _sensitive(response, where), common.time, demands.delay, where)
-        for machine in machines:
-            alone = common
-            if len(machines) > 1:
-                alone = machine_delay_margin(self.family, machine, parameters)
-            yield Check("delay", machine, alone.time, demands.delay, alone.frequency_hz)
+        for machines, delay in delay_margins(self.family, parameters, None if exact else demands.delay):
+            alone = machines[0] if len(machines) == 1 else ""
+            name = alone or _sensitive(response, delay.frequency_hz)
+            yield Check("delay" if alone else "common_delay", name, delay.time, demands.delay, delay.frequency_hz)
 
     def _stability(self, parameters: Mapping[str, float]) -> Check:
         loop = self.family.delayed(parameters)
@@ -167,11 +166,13 @@ class DemandedLoop:
         neutral = abs(worst.real) * loop.sample_time <= NEUTRAL
         frequency = float(abs(worst.imag) / (2 * np.pi))
         response = FrequencyResponse(*self.family.loop(parameters))
-        return Check("stability", _sensitive(response, frequency), 0.0 if neutral else float(-worst.real), 0.0, frequency)
+        return Check(
+            "stability", _sensitive(response, frequency), 0.0 if neutral else float(-worst.real), 0.0, frequency
+        )
 
     def _proof(self, wishes: Mapping[str, float], parameters: Mapping[str, float]) -> Check:
         """Return the slowest decay of all factors that gains are in; others are those of the bed itself."""
-        numbers = gain_values(self.wishes.gains(**wishes), self._symbols, parameters)
+        numbers = gain_values(self.wishes.gains(**wishes), self.symbols, parameters)
         table = {**self.proof.values, **numbers, **self.proof.fixed}
         worst = Check("proof", "", np.inf, 0.0, np.nan)
         for proven in self.proof.factors:
@@ -180,7 +181,7 @@ class DemandedLoop:
             poles = proven.factor.poles(table)
             pole = poles[np.argmax(poles.real)]
             if -pole.real < worst.value:
-                name = next((m for m in self.family.machines if m in proven.factor.loops), "")
+                name = next((loop.machine for loop in self.symbols.loops if loop.name in proven.factor.loops), "")
                 worst = Check("proof", name, float(-pole.real), 0.0, float(abs(pole.imag) / (2 * np.pi)))
         return worst
 

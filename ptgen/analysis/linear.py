@@ -82,17 +82,22 @@ class Linearisation:
         self._inputs = np.concatenate([np.full(s.size, s.value) for s in block.inputs] or [np.zeros(0)])
         self._names = [CasadiBlock.names(signals) for signals in (block.states, block.inputs, block.outputs)]
         self._defaults = {signal.name: signal.value for signal in block.parameters}
+        self._last: tuple[list[float], StateSpace] | None = None
 
     def at(self, parameters: Mapping[str, float] | None = None) -> StateSpace:
         """Return the derivative for `parameters` in place of the defaults; those of other blocks are passed over."""
         given = {**self._defaults, "standstill_speed": 0.0}
         given |= {name: value for name, value in (parameters or {}).items() if name in self._defaults}
         values = [given[name] for name in self._defaults]
+        if self._last is not None and self._last[0] == values:
+            return self._last[1]
         rest = self._follow(values, self._start, self._inputs)
         whole = np.array(self._derivative(values, rest, self._inputs).full(), dtype=np.float64)
         states, inputs, outputs = (tuple(names) for names in self._names)
         n = len(states)
-        return StateSpace(whole[:n, :n], whole[:n, n:], whole[n:, :n], whole[n:, n:], states, inputs, outputs)
+        found = StateSpace(whole[:n, :n], whole[:n, n:], whole[n:, :n], whole[n:, n:], states, inputs, outputs)
+        self._last = values, found
+        return found
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ becomes unstable at that delay.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from ptgen.analysis.frequency import NEUTRAL, FrequencyResponse, crossings, frequency_grid, others_closed
 from ptgen.analysis.linear import LoopFamily
 
-__all__ = ["Delay", "LoopMargins", "common_delay_margin", "loop_margins", "machine_delay_margin"]
+__all__ = ["Delay", "LoopMargins", "common_delay_margin", "delay_margins", "loop_margins", "machine_delay_margin"]
 
 _DENSE = 400
 """States up to which all eigenvalues are computed."""
@@ -95,6 +95,33 @@ def common_delay_margin(family: LoopFamily, parameters: Mapping[str, float] | No
     return _delay_margin(family, parameters, loop.machines, omega, response(omega), response, lambda L: L)
 
 
+def delay_margins(
+    family: LoopFamily, parameters: Mapping[str, float] | None = None, enough: float | None = None
+) -> Iterator[tuple[tuple[str, ...], Delay]]:
+    """Yield the delay margin of all machines in common, then that of each machine.
+
+    Parameters
+    ----------
+    family : LoopFamily
+    parameters : mapping, optional
+        Parameters of controller and plant that differ from the defaults.
+    enough : float, optional
+        Delay (s); a margin that is longer by two steps or more is told without the last digits, which takes less time.
+
+    Yields
+    ------
+    machines : tuple of str
+        That are delayed.
+    margin : Delay
+    """
+    loop, steps = family.loop(parameters)
+    response, omega = FrequencyResponse(loop, steps), frequency_grid(loop)
+    L = response(omega)
+    yield loop.machines, _delay_margin(family, parameters, loop.machines, omega, L, response, lambda L: L, enough)
+    for k, machine in enumerate(loop.machines):
+        yield (machine,), _delay_margin(family, parameters, (machine,), omega, L, response, _picker(k), enough)
+
+
 def machine_delay_margin(family: LoopFamily, machine: str, parameters: Mapping[str, float] | None = None) -> Delay:
     """Return the smallest delay of the torque of one machine that makes the closed loop swing."""
     loop, steps = family.loop(parameters)
@@ -152,6 +179,7 @@ def _delay_margin(
     L: NDArray[np.complex128],
     response: FrequencyResponse,
     pick: Callable[[NDArray[np.complex128]], NDArray[np.complex128]],
+    enough: float | None = None,
 ) -> Delay:
     """Return the smallest delay that all of `machines` can have in common; `pick` gives their loop."""
     size = abs(np.linalg.eigvals(pick(L)))
@@ -168,6 +196,9 @@ def _delay_margin(
             turned = float(np.angle(value)) % (2 * np.pi)
             guesses.append((turned / w, w))
     h = response.loop.sample_time
+    first = min(guesses, default=(np.inf, np.nan))
+    if enough is not None and first[0] > enough + 2 * h and not _jumps(family, parameters, machines):
+        return Delay(first[0], first[1] / (2 * np.pi))
     found: list[tuple[float, float]] = []
     for tau, w in sorted(guesses):
         if found and tau > min(found)[0] + 2 * h:

@@ -10,18 +10,21 @@ be monotone, a loop may need some gain to be stable, so no answer is inferred fr
    together; of sets that are equally good, the smallest.
 3. Wishes of that set that could be larger, the others as they are now, rise together until none can rise any more, so
    that none takes what another one could have too. Then each gets back what it can alone.
-4. At the end all reduced wishes together, and each alone, must hold 5 and 10 % below.
+4. At the end all reduced wishes together must hold 5 and 10 % below.
+
+If no common factor of any set holds, as where two wishes have to keep a ratio, a coarse grid over all of them is
+searched for the point that takes least away, and step 3 goes on from there.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from itertools import combinations
+from itertools import combinations, product
 
 import numpy as np
 
-__all__ = ["FoundShares", "LEAST", "RESOLUTION", "find_shares"]
+__all__ = ["LEAST", "RESOLUTION", "FoundShares", "find_shares"]
 
 LEAST = 0.01
 """Smallest share that is tried."""
@@ -30,6 +33,7 @@ RESOLUTION = 1.01
 """Factor between a share that holds and one that does not, at which bisection ends."""
 
 _GRID = np.geomspace(1.0, LEAST, 25)
+_COARSE = 5
 _BELOW = (0.95, 0.9)
 _ABOVE = 1.05
 _TRIED = 1.02
@@ -49,9 +53,9 @@ class FoundShares:
     shares : tuple of float or None
         Shares that hold together; None if none were found.
     common : float or None
-        The common factor from which they were given back.
+        The common factor from which they rose; None if none held.
     is_robust : bool
-        Whether reduced wishes may be 5 and 10 % smaller, each alone and all together.
+        Whether all reduced wishes may be 5 and 10 % smaller.
     """
 
     alone: tuple[float | None, ...]
@@ -89,7 +93,10 @@ def find_shares(holds: Holds, count: int, progress: Callable[[float], None] = la
     progress(0.5)
     places = [place for place in coarse.values() if place is not None]
     if not places:
-        return FoundShares(alone, None, None, False)
+        start = _coarse_grid(holds, count)
+        if start is None:
+            return FoundShares(alone, None, None, False)
+        return _robust(holds, alone, _given_more(holds, start, range(count), progress), None)
     best: tuple[float, tuple[int, ...]] = (0.0, ())
     for chosen, place in coarse.items():
         factor = _refined(_along(holds, whole, chosen), place) if place == min(places) else None
@@ -97,13 +104,24 @@ def find_shares(holds: Holds, count: int, progress: Callable[[float], None] = la
             best = (factor, chosen)
     common, chosen = best
     shares = _scaled(whole, chosen, common)
+    return _robust(holds, alone, _given_more(holds, shares, chosen, progress), common)
+
+
+def _coarse_grid(holds: Holds, count: int) -> Shares | None:
+    """Return the point of a coarse grid that holds and has the largest product of shares."""
+    points = sorted(product(np.geomspace(1.0, LEAST, _COARSE), repeat=count), key=lambda point: -np.prod(point))
+    return next((tuple(float(x) for x in point) for point in points if holds(tuple(float(x) for x in point))), None)
+
+
+def _given_more(holds: Holds, shares: Shares, chosen: Sequence[int], progress: Callable[[float], None]) -> Shares:
+    """Return the shares after the chosen ones have risen together, then each alone."""
     progress(0.6)
     shares = _risen(holds, shares, chosen)
     progress(0.8)
     for k in chosen:
         shares = _given_back(holds, shares, k)
     progress(0.9)
-    return _robust(holds, alone, shares, common)
+    return shares
 
 
 def _along(holds: Holds, shares: Shares, chosen: Sequence[int]) -> Callable[[float], bool]:
@@ -174,22 +192,19 @@ def _given_back(holds: Holds, shares: Shares, k: int) -> Shares:
     return (*shares[:k], found, *shares[k + 1 :])
 
 
-def _robust(holds: Holds, alone: tuple[float | None, ...], shares: Shares, common: float) -> FoundShares:
+def _robust(holds: Holds, alone: tuple[float | None, ...], shares: Shares, common: float | None) -> FoundShares:
     """Return shares of which all reduced ones may be smaller, each alone and all together."""
     reduced = [k for k, share in enumerate(shares) if share < 1.0]
-    groups = [(k,) for k in reduced] + ([tuple(reduced)] if len(reduced) > 1 else [])
-
-    def good(factor: float) -> bool:
-        scaled = _scaled(shares, reduced, factor)
-        return holds(scaled) and all(holds(_scaled(scaled, group, below)) for group in groups for below in _BELOW)
-
-    for place in range(len(_GRID)):
-        if good(float(_GRID[place])):
-            if place == 0:
-                return FoundShares(alone, shares, common, True)
-            low, high = float(_GRID[place]), float(_GRID[place - 1])
-            while high / low > RESOLUTION:
-                middle = float(np.sqrt(low * high))
-                low, high = (middle, high) if good(middle) else (low, middle)
-            return FoundShares(alone, _scaled(shares, reduced, low), common, True)
-    return FoundShares(alone, shares, common, False)
+    at = _along(holds, shares, reduced)
+    place = next(
+        (place for place in range(len(_GRID)) if all(at(f * float(_GRID[place])) for f in (1.0, *_BELOW))), None
+    )
+    if place is None:
+        return FoundShares(alone, shares, common, False)
+    low = high = float(_GRID[place])
+    if place > 0:
+        high = float(_GRID[place - 1])
+    while high / low > RESOLUTION:
+        middle = float(np.sqrt(low * high))
+        low, high = (middle, high) if all(at(f * middle) for f in (1.0, *_BELOW)) else (low, middle)
+    return FoundShares(alone, _scaled(shares, reduced, low), common, True)

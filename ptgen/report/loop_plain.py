@@ -10,7 +10,7 @@ from ptgen.analysis.margins import Delay
 from ptgen.report.loop_analysis import HORIZON, LoopAnalysis, LoopResult, Margins
 from ptgen.report.loop_verdict import verdict
 
-__all__ = ["loop_json"]
+__all__ = ["loop_json", "mode_json"]
 
 
 def loop_json(found: LoopAnalysis) -> dict[str, Any]:
@@ -28,8 +28,8 @@ def loop_json(found: LoopAnalysis) -> dict[str, Any]:
         "continuous": None if found.continuous is None else found.continuous.verdict.name.lower(),
         "loops": [_loop(loop) for loop in found.loops],
         "margins": _margins(found.margins),
-        "disk_mode": _mode(found.disk_mode),
-        "delay_mode": _mode(found.delay_mode),
+        "disk_mode": mode_json(found.disk_mode),
+        "delay_mode": mode_json(found.delay_mode),
         "poles": [
             {
                 "re": pole.s.real,
@@ -38,7 +38,7 @@ def loop_json(found: LoopAnalysis) -> dict[str, Any]:
                 "damping_ratio": pole.damping_ratio,
                 "neutral": pole.is_neutral,
                 "unstable": pole.is_unstable,
-                "mode": _mode(found.pole_modes.get(k)),
+                "mode": mode_json(found.pole_modes.get(k)),
             }
             for k, pole in enumerate(found.poles)
         ],
@@ -74,7 +74,7 @@ def _loop(loop: LoopResult) -> dict[str, Any]:
         "delay": _delay(margins.delay),
         "crossovers_hz": list(margins.crossovers_hz),
         "critical_hz": loop.critical_hz,
-        "mode": _mode(loop.mode),
+        "mode": mode_json(loop.mode),
         "phase_budget_deg": dict(loop.budget.degrees),
     }
 
@@ -99,7 +99,8 @@ def _margins(margins: Margins | None) -> dict[str, Any] | None:
     }
 
 
-def _mode(mode: NearMode | None) -> dict[str, Any] | None:
+def mode_json(mode: NearMode | None) -> dict[str, Any] | None:
+    """Return a mode as plain data."""
     if mode is None:
         return None
     return {
