@@ -118,8 +118,8 @@ def test_emitted_code_takes_the_demanded_delay(
     delayed, margin = min(bed.margins, key=lambda item: item[1].time)
     assert DELAY <= margin.time < 1.05 * DELAY
     rate = float(np.log(abs(bed.pole(delayed, 1.05 * margin.time, margin.frequency_hz))))
-    swing = bed.swing(delayed, 1.05 * margin.time, int(8 / rate))
-    assert rate > 0 and swing[-1] / swing[9] == pytest.approx(np.exp(4), rel=0.1)
+    swing = bed.swing(delayed, 1.05 * margin.time, int(4 / rate))  # no longer, or the supervision stops it
+    assert rate > 0 and swing[-1] / swing[9] == pytest.approx(np.exp(2), rel=0.1)
 
 
 def test_margins_that_are_large_enough_are_told_on_the_safe_side(projects: dict[str, Project]) -> None:

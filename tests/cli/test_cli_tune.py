@@ -9,8 +9,8 @@ import pytest
 
 KEYS = {
     "name", "title", "locked", "free", "sample_time", "demands", "holds_as_wished", "found", "robust", "common",
-    "wishes", "obstacle", "least_obstacle", "wished_checks", "held_checks", "gains", "helps", "notes", "evaluations", "changes",
-    "written",
+    "wishes", "obstacle", "least_obstacle", "wished_checks", "held_checks", "gains", "helps", "notes", "evaluations",
+    "changes", "written",
 }  # fmt: skip
 WISH_KEYS = {
     "key", "wanted", "wanted_text", "held", "held_text", "share", "alone", "reduced", "obstacle",
