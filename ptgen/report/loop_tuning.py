@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
-from ptgen.analysis.continuous_proof import Verdict, continuous_proof, gain_values, prove
+from ptgen.analysis.continuous_proof import Verdict, gain_values, prove
 from ptgen.analysis.demands import Check, DemandedLoop, Demands
 from ptgen.analysis.limits import NearMode, NearModes, PhaseBudget, phase_budget
 from ptgen.analysis.symbolic_loop import ACCELERATION_TORQUE, LOAD_COMPENSATION
@@ -315,13 +315,13 @@ def _check_written(path: Path, file: str, demands: Demands, locked: Collection[s
         raise RunError(Problem("--write", what, "the file was left as it was; ask for a little less"), file)
 
 
-def _loop(project: Project, full: Model, demands: Demands, fixed: Mapping[str, float] | None = None) -> DemandedLoop:
+def _loop(project: Project, full: Model, demands: Demands) -> DemandedLoop:
     design, bed = project.design, project.testbed
     wishes = WishedParameters(
         design.decoupling, project.reduced.full, project.reduced.modes_before, bed.tuning, bed.sample_time
     )
-    proof = continuous_proof(design, project.reduced)
-    return DemandedLoop(loop_family(project, full), wishes, proof.settings[0], proof.loop, demands, fixed)
+    proof = project.proof
+    return DemandedLoop(loop_family(project, full), wishes, proof.settings[0], proof.loop, demands)
 
 
 def _times(wishes: Mapping[str, float], shares: Collection[float] | itertools.repeat[float]) -> dict[str, float]:
