@@ -98,10 +98,10 @@ def _append(document: tomlkit.TOMLDocument, missing: Mapping[str, str | float], 
             continue
         trivia = last.trivia
         lines = [f"{trivia.indent}{key} = {_shown(value)}" for key, value in missing.items()]
-        if trivia.trail:
+        if trivia.trail.endswith("\n"):
             trivia.trail += "".join(line + newline for line in lines)
         else:  # the file ends without a line break
-            trivia.trail = newline + newline.join(lines)
+            trivia.trail += newline + newline.join(lines)
         return
     for key, value in missing.items():
         tables[0].add(key, value)
