@@ -178,6 +178,9 @@ def continuous_proof(
 ) -> ContinuousProof:
     """Prove, or refute, that the continuous closed loop of a bed is asymptotically stable.
 
+    The inertia of each torque-controlled machine is taken to be what the law takes it for; what a difference does is
+    the business of the sampled analysis of the full bed.
+
     Parameters
     ----------
     design : ControlDesign
@@ -193,7 +196,7 @@ def continuous_proof(
     known = {signal.name: float(signal.value) for signal in design.controller.block.parameters}
     kinds = {name: speed_control or _kind(name, known) for name in design.decoupling.machines}
     loop = symbolic_loop(design.decoupling, reduced.equivalent_damping, kinds)
-    values = gain_values(design.gains, loop, known)
+    values = {**gain_values(design.gains, loop, known), **design.tuned_inertia}
     conventional = {**values, **_by_name(loop, design.controller.conventional)}
     damping = dict.fromkeys(design.decoupling.damping, 0.0)
     positions = {

@@ -57,6 +57,8 @@ class LoopMargins:
         Largest factor below 1 that makes it swing; 0 if none does.
     phase_deg, phase_hz : float
         Smallest phase shift, of either sign, that makes it swing (deg); infinite if none does.
+    phase_is_lag : bool
+        Whether that shift is a lag, as delays make it; if it is a lead, the lags of the drive keep away from it.
     delay : Delay
     crossovers_hz : tuple of float
         Frequencies at which the loop has gain one.
@@ -69,6 +71,7 @@ class LoopMargins:
     gain_down_hz: float
     phase_deg: float
     phase_hz: float
+    phase_is_lag: bool
     delay: Delay
     crossovers_hz: tuple[float, ...]
 
@@ -155,8 +158,8 @@ def _of_machine(
     up = min((g for g in gains if g[0] > 1), default=(np.inf, np.nan))
     down = max((g for g in gains if g[0] < 1), default=(0.0, np.nan))
     crossovers = crossings(omega, np.log(abs(l)), lambda w: float(np.log(abs(transfer(w)))))
-    phases = [(float(abs(np.degrees(np.angle(transfer(w))))), w) for w in crossovers]
-    phase = min(phases, default=(np.inf, np.nan))
+    phases = [(float(np.degrees(np.angle(transfer(w)))), w) for w in crossovers]  # a lag of that size leads to one
+    phase = min(phases, key=lambda phase: abs(phase[0]), default=(np.inf, np.nan))
     delay = _delay_margin(family, parameters, (name,), omega, L, response, _picker(machine))
     return LoopMargins(
         machine=name,
@@ -164,8 +167,9 @@ def _of_machine(
         gain_up_hz=up[1] / (2 * np.pi),
         gain_down=float(down[0]),
         gain_down_hz=down[1] / (2 * np.pi),
-        phase_deg=phase[0],
+        phase_deg=abs(phase[0]),
         phase_hz=phase[1] / (2 * np.pi),
+        phase_is_lag=phase[0] > 0,
         delay=delay,
         crossovers_hz=tuple(w / (2 * np.pi) for w in crossovers),
     )

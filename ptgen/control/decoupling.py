@@ -244,13 +244,14 @@ def _decouple(reduced: ReducedModel, roles: Roles, structure: Structure, losses:
         form = normal_form(system, chains, state_law.x, model.states)
         R = decoupling_rows(rows, state_law, tuple(forms.values())[:torque_count], _swinging(reduced))
     else:
+        findings.check_speed_held(roles)
         findings.check_uncontrolled_twists(model, torque_count)
         state_law, R = individual_law(rows, balances, system, forms, wishes, _swinging(reduced))
     law = complete_law(rows, state_law, R, forms, balances, _swinging(reduced))
     findings.check_speed_rows(law.P, actuators, torque_count, machines)
     return Decoupling(
         structure=structure,
-        findings=() if singular is None else tuple(problem.what for problem in singular.problems),
+        findings=_findings(singular, model, actuators[torque_count:]),
         machines=machines,
         outputs=tuple(forms),
         actuators=actuators,
@@ -270,6 +271,18 @@ def _decouple(reduced: ReducedModel, roles: Roles, structure: Structure, losses:
         values=values,
         definitions={**reduced.definitions, **short.definitions},
     )
+
+
+def _findings(singular: ControlError | None, model: Model, speed_machines: tuple[int, ...]) -> tuple[str, ...]:
+    found = [] if singular is None else [problem.what for problem in singular.problems]
+    free = findings.unheld_motions(model, speed_machines)
+    if free and singular is not None:
+        ways = "one motion" if free == 1 else f"{free} motions"
+        found.append(
+            f"{ways} of the bed without any twist, such as the difference of the speeds behind an open differential, "
+            "is controlled by nobody: only friction holds it, so the torque references must not ask for more than that"
+        )
+    return tuple(found)
 
 
 def _with_inertia_estimates(

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import sympy as sp
+
 from ptgen.control.controller import ControllerBlock, controller_block
 from ptgen.control.decoupling import Decoupling, decouple
 from ptgen.control.tuning import Gains, gains
@@ -21,6 +23,13 @@ class ControlDesign:
     decoupling: Decoupling
     gains: Gains
     controller: ControllerBlock
+
+    @property
+    def tuned_inertia(self) -> dict[sp.Symbol, float]:
+        """The inertia (kg m^2) that the law of each torque-controlled machine takes for its own."""
+        design, found = self.decoupling, self.gains.inertia_estimate
+        names = [design.machines[k] for k in design.actuators[: design.torque_count]]
+        return {symbol: found[name] for symbol, name in zip(design.inertia_estimate, names, strict=True)}
 
 
 def design_control(testbed: Testbed, full: Model, reduced: ReducedModel) -> ControlDesign:

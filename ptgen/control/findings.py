@@ -19,9 +19,11 @@ __all__ = [
     "check_degrees",
     "check_internal",
     "check_places",
+    "check_speed_held",
     "check_speed_rows",
     "check_uncontrolled_twists",
     "singular_matrix",
+    "unheld_motions",
     "unmeasured",
 ]
 
@@ -116,6 +118,21 @@ def check_uncontrolled_twists(model: Model, torques: int) -> None:
         "when the speed references do not agree exactly"
     )
     raise ControlError(Problem("control", what, _other_count(torques, model)))
+
+
+def check_speed_held(roles: Roles) -> None:
+    """Raise if no machine controls a speed: the bed would run away under the smallest sum of torques."""
+    if not roles.speed:
+        what = "no machine controls a speed, so nothing holds the speed of the bed"
+        raise ControlError(Problem("control.speed", what, "let one machine control its speed"))
+
+
+def unheld_motions(model: Model, speed_machines: Sequence[int]) -> int:
+    """Return in how many ways the bed can turn without a twist while every controlled speed is held."""
+    held = exact.stack(
+        [model.velocity_rows[next(iter(model.inputs[k].row))] for k in speed_machines], model.mass.shape[0]
+    )
+    return int(model.mass.shape[0]) - exact.rank(model.twist_rows.col_join(held))
 
 
 def _machine_twists(model: Model) -> int:

@@ -129,7 +129,7 @@ def derivation(project: Project) -> Derivation:
         modes_after=reduced.modes_after,
         definitions=reduced.definitions,
         reduced_parameters=reduced.parameters,
-        values={**project.model.values, **decoupling.values},
+        values={**project.model.values, **decoupling.values, **design.tuned_inertia},
         decoupling=decoupling,
         law=_laws(decoupling),
         estimates=_estimates(decoupling),

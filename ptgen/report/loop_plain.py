@@ -70,6 +70,7 @@ def _loop(loop: LoopResult) -> dict[str, Any]:
         "gain_down": margins.gain_down,
         "gain_down_hz": margins.gain_down_hz,
         "phase_deg": margins.phase_deg,
+        "phase_is_lag": margins.phase_is_lag,
         "phase_hz": margins.phase_hz,
         "delay": _delay(margins.delay),
         "crossovers_hz": list(margins.crossovers_hz),

@@ -178,17 +178,23 @@ def _unstable(found: LoopAnalysis) -> tuple[str, ...]:
 def _weakest(loop: LoopResult) -> str:
     margins, budget = loop.margins, loop.budget
     shares = ", ".join(f"{name} {degrees:.2g}" for name, degrees in budget.degrees.items())
+    head = (
+        f"Nearest to its limit is the {loop.controls} loop of {margins.machine}: {margins.phase_deg:.3g} deg of phase "
+        f"{'lag' if margins.phase_is_lag else 'lead'} at {margins.phase_hz:.3g} Hz, critical at "
+        f"{loop.critical_hz:.3g} Hz. "
+    )
+    if not margins.phase_is_lag:
+        return (
+            f"{head}The drive's own lag of {budget.total:.2g} deg ({shares}) keeps it away from there, so a faster "
+            "drive would not help: gains and mechanics limit it."
+        )
     taken = budget.total / (budget.total + margins.phase_deg)
     blame = (
         f"the drive is what limits it, above all its {budget.largest}"
         if taken > 0.5
         else "gains and mechanics limit it, not the drive"
     )
-    return (
-        f"Nearest to its limit is the {loop.controls} loop of {margins.machine}: {margins.phase_deg:.3g} deg of phase "
-        f"at {margins.phase_hz:.3g} Hz, critical at {loop.critical_hz:.3g} Hz. The drive takes {budget.total:.2g} deg "
-        f"there ({shares}): {blame}."
-    )
+    return f"{head}The drive takes {budget.total:.2g} deg there ({shares}): {blame}."
 
 
 def _advice(found: LoopAnalysis) -> str:

@@ -89,7 +89,8 @@ def test_shipped_beds_are_stable_with_gains_inside_their_ranges(project: Project
 def test_loop_is_the_one_that_the_law_makes_from_sensors(torque_project: Project) -> None:
     """The same poles from plant, sensors and law in numbers, with integrators put around them."""
     design, gains = torque_project.design.decoupling, torque_project.design.gains
-    values = design.values | {symbol: gains.damping[symbol.name.removesuffix("_damping")] for symbol in design.damping}
+    values = design.values | torque_project.design.tuned_inertia
+    values |= {symbol: gains.damping[symbol.name.removesuffix("_damping")] for symbol in design.damping}
     A, B, _ = design.model.numeric(values).state_matrices()
     n_z = len(design.model.coordinates)
 

@@ -50,7 +50,8 @@ def test_law_has_no_cross_terms_and_damps_with_the_twist_rate(individual: Decoup
 
 
 def test_why_there_is_no_decoupling_is_kept(individual: Decoupling) -> None:
-    (finding,) = individual.findings
+    finding, unheld = individual.findings
+    assert "one motion of the bed without any twist" in unheld
     assert "the torques at diff.output1 and diff.output2 hang on 1 twist" in finding
     assert individual.normal_form is None
     assert individual.internal_order == 0
@@ -124,3 +125,14 @@ def test_roles_given_in_another_order_are_the_same(individual: Decoupling) -> No
     reduced, roles = reduced_of(open_bed())
     other = replace(roles, torque=dict(reversed(list(roles.torque.items()))))
     assert decouple(reduced, other, structure="individual").law_expressions() == individual.law_expressions()
+
+
+def test_torques_only_are_refused_and_never_advised() -> None:
+    """Nothing would hold the speed: under 1000 against 900 N m the bed would run away."""
+    bed = open_bed()
+    bed.torque, bed.speed = {"M1": "diff.input", "M2": "flange2", "M3": "flange3"}, []
+    with pytest.raises(ControlError, match="no machine controls a speed"):
+        decouple(*reduced_of(bed), structure="individual")
+    with pytest.raises(ControlError) as caught:
+        decouple(*reduced_of(bed))
+    assert "individual" not in caught.value.problems[0].remedy
