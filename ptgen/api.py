@@ -23,14 +23,14 @@ from ptgen.block.block import Block
 from ptgen.control.design import ControlDesign
 from ptgen.emit.c_expressions import Precision
 from ptgen.emit.project import generate
+from ptgen.loops.loop_analysis import LoopAnalysis
+from ptgen.loops.loop_analysis import analyse as analyse_loop
+from ptgen.loops.loop_tuning import LoopTuning, write_wishes
+from ptgen.loops.loop_tuning import tune as tune_loop
 from ptgen.mechanism.model import Model
 from ptgen.mechanism.modes import Mode, modes
 from ptgen.mechanism.reduction import ReducedModel
 from ptgen.project import Project
-from ptgen.report.loop_analysis import LoopAnalysis
-from ptgen.report.loop_analysis import analyse as analyse_loop
-from ptgen.report.loop_tuning import LoopTuning, write_wishes
-from ptgen.report.loop_tuning import tune as tune_loop
 from ptgen.simulate.recording import Recording
 from ptgen.simulate.run import ControllerName
 from ptgen.simulate.run import simulate as run_scenario
@@ -131,7 +131,7 @@ def analyse(
     controller: ControllerName = "decoupling",
     parameters: Mapping[str, float] | None = None,
 ) -> LoopAnalysis:
-    """Analyse the sampled closed loop of a bed; see `ptgen.report.loop_analysis.analyse`."""
+    """Analyse the sampled closed loop of a bed; see `ptgen.loops.loop_analysis.analyse`."""
     return analyse_loop(bed.project, locked=locked, controller=controller, parameters=parameters)
 
 
@@ -143,7 +143,7 @@ def tune(
     write: bool = False,
     **options: str | float | None,
 ) -> LoopTuning:
-    """Find the largest wishes that keep the margins; see `ptgen.report.loop_tuning.tune`.
+    """Find the largest wishes that keep the margins; see `ptgen.loops.loop_tuning.tune`.
 
     Parameters
     ----------

@@ -43,9 +43,9 @@ def analyse(
     as_json: AsJson = False,
 ) -> None:
     """Prove that the sampled closed loop is stable: margins, what limits them, couplings and their causes."""
+    from ptgen.loops.loop_analysis import analyse as run
     from ptgen.project import Project
     from ptgen.report.figures import check_figure, save_figure
-    from ptgen.report.loop_analysis import analyse as run
 
     if plot is not None:
         check_figure(plot, "--plot")

@@ -52,9 +52,9 @@ def tune(
     as_json: AsJson = False,
 ) -> None:
     """Find the largest wishes that keep the margins, and what stands in the way; wishes default to the file's."""
+    from ptgen.loops.loop_tuning import tune as run
+    from ptgen.loops.loop_tuning import write_wishes
     from ptgen.project import Project
-    from ptgen.report.loop_tuning import tune as run
-    from ptgen.report.loop_tuning import write_wishes
 
     project = Project.read(file)
     options = {

@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ptgen.analysis.frequency import FrequencyResponse, frequency_grid, others_closed
+from ptgen.loops.loop_analysis import LoopAnalysis, LoopResult
 from ptgen.report.figures import BLUE, GREEN, GREY, INK, LIGHT, ORANGE, PALETTE, new_figure
-from ptgen.report.loop_analysis import LoopAnalysis, LoopResult
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -7,7 +7,8 @@ from typing import Any
 from ptgen.analysis.coupling import Coupling
 from ptgen.analysis.limits import NearMode
 from ptgen.analysis.margins import Delay
-from ptgen.report.loop_analysis import HORIZON, LoopAnalysis, LoopResult, Margins
+from ptgen.loops.causes import HORIZON
+from ptgen.loops.loop_analysis import LoopAnalysis, LoopResult, Margins
 from ptgen.report.loop_verdict import verdict
 
 __all__ = ["loop_json", "mode_json"]

@@ -11,7 +11,8 @@ from rich.table import Table
 from rich.text import Text
 
 from ptgen.analysis.limits import NearMode
-from ptgen.report.loop_analysis import HORIZON, LoopAnalysis
+from ptgen.loops.causes import HORIZON
+from ptgen.loops.loop_analysis import LoopAnalysis
 from ptgen.report.loop_verdict import delay_text, gain_text, mode_text, shares_text, verdict
 from ptgen.report.quantities import percent, readable
 

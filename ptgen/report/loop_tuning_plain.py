@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from ptgen.analysis.demands import Check
+from ptgen.loops.loop_tuning import LoopTuning, Obstacle, WishResult
 from ptgen.report.loop_plain import mode_json
-from ptgen.report.loop_tuning import LoopTuning, Obstacle, WishResult
 
 __all__ = ["tuning_json"]
 

@@ -11,7 +11,7 @@ from rich.table import Table
 from rich.text import Text
 
 from ptgen.analysis.demands import Check
-from ptgen.report.loop_tuning import GainResult, LoopTuning, Obstacle, WishResult
+from ptgen.loops.loop_tuning import GainResult, LoopTuning, Obstacle, WishResult
 from ptgen.report.loop_verdict import delay_text, mode_text
 from ptgen.report.quantities import percent, readable
 

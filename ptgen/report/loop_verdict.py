@@ -6,7 +6,7 @@ import numpy as np
 
 from ptgen.analysis.disk_margin import DiskMargin
 from ptgen.analysis.limits import NearMode
-from ptgen.report.loop_analysis import Lever, LoopAnalysis, LoopResult
+from ptgen.loops.loop_analysis import Lever, LoopAnalysis, LoopResult
 from ptgen.report.quantities import percent, readable
 
 __all__ = [

@@ -11,10 +11,10 @@ from ptgen.analysis.frequency import NEUTRAL
 from ptgen.analysis.linear import LoopFamily, with_dead_times
 from ptgen.analysis.margins import Delay, common_delay_margin, machine_delay_margin
 from ptgen.emit.project import recorded_signals
+from ptgen.loops.loop_analysis import chosen_frictions, loop_family
 from ptgen.mechanism.assembly import assemble
 from ptgen.plant.plant import plant_block
 from ptgen.project import Project
-from ptgen.report.loop_analysis import chosen_frictions, loop_family
 from ptgen.simulate.build import build
 from ptgen.simulate.closed_loop import ClosedLoop
 from ptgen.testbed.profile import Profile

@@ -62,7 +62,7 @@ def test_double_integrator_is_stable_for_small_gains_only_above_zero():
 
 def test_margins_are_those_of_package_control(projects):
     """`control` interpolates on a grid; its other way, over polynomials, fails at 10 kHz."""
-    from ptgen.report.loop_analysis import loop_family
+    from ptgen.loops.loop_analysis import loop_family
 
     project = projects["differential"]
     family = loop_family(project, project.model)

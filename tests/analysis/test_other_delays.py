@@ -9,9 +9,9 @@ import pytest
 
 from ptgen.analysis.limits import NearModes, energy_shares, phase_budget
 from ptgen.analysis.margins import common_delay_margin
+from ptgen.loops.loop_analysis import analyse, loop_family
 from ptgen.mechanism.modes import modes
 from ptgen.project import Project
-from ptgen.report.loop_analysis import analyse, loop_family
 
 
 @pytest.fixture(scope="module")

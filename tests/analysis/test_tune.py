@@ -15,11 +15,11 @@ from ptgen.analysis.disk_margin import disk_margin
 from ptgen.analysis.frequency import FrequencyResponse, frequency_grid
 from ptgen.analysis.margins import common_delay_margin, delay_margins, loop_margins
 from ptgen.errors import RunError
+from ptgen.loops.loop_analysis import loop_family
+from ptgen.loops.loop_tuning import LoopTuning, tune, write_wishes
+from ptgen.loops.tuning_wishes import OPTIONS, wished
 from ptgen.project import Project
-from ptgen.report.loop_analysis import loop_family
-from ptgen.report.loop_tuning import LoopTuning, tune, write_wishes
 from ptgen.report.loop_tuning_text import tuning_text
-from ptgen.report.tuning_wishes import OPTIONS, wished
 
 TOO_FAST = {"speed_bandwidth": "5000 rad/s", "torque_rise_time": "10 ms"}
 DELAY, DISK = 300e-6, 0.05  # the defaults: three sample times, 5 %

@@ -92,8 +92,8 @@ def test_a_link_stays_a_link(cli, bed):
 
 def test_a_file_that_changed_meanwhile_stays(bed):
     from ptgen.errors import RunError
+    from ptgen.loops.loop_tuning import tune, write_wishes
     from ptgen.project import Project
-    from ptgen.report.loop_tuning import tune, write_wishes
 
     project = Project.read(bed)
     found = tune(project, {"speed_bandwidth": "4 Hz"})
@@ -107,8 +107,8 @@ def test_what_does_not_hold_once_written_is_not_written(bed):
     from dataclasses import replace
 
     from ptgen.errors import RunError
+    from ptgen.loops.loop_tuning import tune, write_wishes
     from ptgen.project import Project
-    from ptgen.report.loop_tuning import tune, write_wishes
 
     project = Project.read(bed)
     before = bed.read_bytes()

@@ -27,6 +27,7 @@ ORDER = (
     "project",
     "emit",
     "simulate",
+    "loops",
     "report",
     "api",
     "cli",

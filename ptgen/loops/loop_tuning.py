@@ -17,10 +17,10 @@ from ptgen.analysis.wish_search import LEAST, FoundShares, find_shares
 from ptgen.analysis.wishes import WishedParameters
 from ptgen.errors import Problem, PtgenError, RunError
 from ptgen.files import replace_file
+from ptgen.loops.loop_analysis import chosen_frictions, full_model, loop_family, sensor_filters
+from ptgen.loops.tuning_wishes import Wish, Wished, wished
 from ptgen.mechanism.model import Model
 from ptgen.project import Project
-from ptgen.report.loop_analysis import chosen_frictions, full_model, loop_family, sensor_filters
-from ptgen.report.tuning_wishes import Wish, Wished, wished
 from ptgen.testbed.rewriting import with_control
 from ptgen.units import parse
 
@@ -192,7 +192,7 @@ def tune(
     ----------
     project : Project
     options : mapping, optional
-        Wishes and demands that differ from the file's, keys of `ptgen.report.tuning_wishes.OPTIONS`, written as the
+        Wishes and demands that differ from the file's, keys of `ptgen.loops.tuning_wishes.OPTIONS`, written as the
         file writes them, such as ``{"speed_bandwidth": "5 Hz"}``.
     locked, free : collection of str
         Friction elements that stick, or slip, other than the file takes them.
