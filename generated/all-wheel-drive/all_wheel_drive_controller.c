@@ -554,6 +554,7 @@ all_wheel_drive_controller_status all_wheel_drive_controller_update(all_wheel_dr
     s->M4_largest = 1.01 * all_wheel_drive_min(2400.0, p->M4_torque_max);
     s->M5_largest = 1.01 * all_wheel_drive_min(2400.0, p->M5_torque_max);
     s->ramp_step = p->sample_time / p->fault_ramp;
+    s->calm_share = p->sample_time / (p->sample_time + 0.02);
     s->refused = 0.0;
     return all_wheel_drive_controller_ok;
 }
@@ -1215,10 +1216,57 @@ all_wheel_drive_controller_status all_wheel_drive_controller_step(all_wheel_driv
     s->running = all_wheel_drive_select(s->fault > 0.5, 0.0, 1.0);
     if (s->fault <= 0.5) {
         s->M1_last = M1_released;
+    }
+    /* the torque of before */
+    const all_wheel_drive_real M1_calmer = s->M1_calm + s->calm_share * (-s->M1_calm + s->M1_last);
+    all_wheel_drive_real M1_calm_sound;
+    all_wheel_drive_guard(M1_calmer, s->M1_largest, s->M1_calm, &s->M1_calm, &M1_calm_sound);
+    if (s->fault > 2999.5) {
+        s->M1_last = s->M1_calm;
+    }
+    if (s->fault <= 0.5) {
+        /* ramp of the torques */
         s->M2_last = M2_released;
+    }
+    /* the torque of before */
+    const all_wheel_drive_real M2_calmer = s->M2_calm + s->calm_share * (-s->M2_calm + s->M2_last);
+    all_wheel_drive_real M2_calm_sound;
+    all_wheel_drive_guard(M2_calmer, s->M2_largest, s->M2_calm, &s->M2_calm, &M2_calm_sound);
+    if (s->fault > 2999.5) {
+        s->M2_last = s->M2_calm;
+    }
+    if (s->fault <= 0.5) {
+        /* ramp of the torques */
         s->M3_last = M3_released;
+    }
+    /* the torque of before */
+    const all_wheel_drive_real M3_calmer = s->M3_calm + s->calm_share * (-s->M3_calm + s->M3_last);
+    all_wheel_drive_real M3_calm_sound;
+    all_wheel_drive_guard(M3_calmer, s->M3_largest, s->M3_calm, &s->M3_calm, &M3_calm_sound);
+    if (s->fault > 2999.5) {
+        s->M3_last = s->M3_calm;
+    }
+    if (s->fault <= 0.5) {
+        /* ramp of the torques */
         s->M4_last = M4_released;
+    }
+    /* the torque of before */
+    const all_wheel_drive_real M4_calmer = s->M4_calm + s->calm_share * (-s->M4_calm + s->M4_last);
+    all_wheel_drive_real M4_calm_sound;
+    all_wheel_drive_guard(M4_calmer, s->M4_largest, s->M4_calm, &s->M4_calm, &M4_calm_sound);
+    if (s->fault > 2999.5) {
+        s->M4_last = s->M4_calm;
+    }
+    if (s->fault <= 0.5) {
+        /* ramp of the torques */
         s->M5_last = M5_released;
+    }
+    /* the torque of before */
+    const all_wheel_drive_real M5_calmer = s->M5_calm + s->calm_share * (-s->M5_calm + s->M5_last);
+    all_wheel_drive_real M5_calm_sound;
+    all_wheel_drive_guard(M5_calmer, s->M5_largest, s->M5_calm, &s->M5_calm, &M5_calm_sound);
+    if (s->fault > 2999.5) {
+        s->M5_last = s->M5_calm;
     }
     out->M1_torque_ref = all_wheel_drive_max(-900.0, all_wheel_drive_min(900.0, s->M1_last * s->authority));
     out->M2_torque_ref = all_wheel_drive_max(-2400.0, all_wheel_drive_min(2400.0, s->M2_last * s->authority));

@@ -280,6 +280,11 @@ typedef struct {
     all_wheel_drive_real M3_last; /* last torque of M3 before a fault (N m) */
     all_wheel_drive_real M4_last; /* last torque of M4 before a fault (N m) */
     all_wheel_drive_real M5_last; /* last torque of M5 before a fault (N m) */
+    all_wheel_drive_real M1_calm; /* smoothed torque of M1, that of before a fault (N m) */
+    all_wheel_drive_real M2_calm; /* smoothed torque of M2, that of before a fault (N m) */
+    all_wheel_drive_real M3_calm; /* smoothed torque of M3, that of before a fault (N m) */
+    all_wheel_drive_real M4_calm; /* smoothed torque of M4, that of before a fault (N m) */
+    all_wheel_drive_real M5_calm; /* smoothed torque of M5, that of before a fault (N m) */
     all_wheel_drive_real bridged_time; /* for how long bad samples are bridged, with room for rounding (s) */
     all_wheel_drive_real switch_share; /* share of a change per step */
     all_wheel_drive_real M1_taper_slope; /* share of the torque of M1 per excess of speed (s/rad) */
@@ -344,6 +349,7 @@ typedef struct {
     all_wheel_drive_real M4_largest; /* torque of M4 that is a fault (N m) */
     all_wheel_drive_real M5_largest; /* torque of M5 that is a fault (N m) */
     all_wheel_drive_real ramp_step; /* change of the released share per step */
+    all_wheel_drive_real calm_share; /* share of a new torque in the smoothed ones */
 } all_wheel_drive_controller_state;
 
 typedef enum {

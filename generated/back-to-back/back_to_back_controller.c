@@ -286,6 +286,7 @@ back_to_back_controller_status back_to_back_controller_update(back_to_back_contr
     s->M1_largest = 1.01 * back_to_back_min(3050.0, p->M1_torque_max);
     s->M2_largest = 1.01 * back_to_back_min(3050.0, p->M2_torque_max);
     s->ramp_step = p->sample_time / p->fault_ramp;
+    s->calm_share = p->sample_time / (p->sample_time + 0.02);
     s->refused = 0.0;
     return back_to_back_controller_ok;
 }
@@ -596,7 +597,24 @@ back_to_back_controller_status back_to_back_controller_step(back_to_back_control
     s->running = back_to_back_select(s->fault > 0.5, 0.0, 1.0);
     if (s->fault <= 0.5) {
         s->M1_last = M1_released;
+    }
+    /* the torque of before */
+    const back_to_back_real M1_calmer = s->M1_calm + s->calm_share * (-s->M1_calm + s->M1_last);
+    back_to_back_real M1_calm_sound;
+    back_to_back_guard(M1_calmer, s->M1_largest, s->M1_calm, &s->M1_calm, &M1_calm_sound);
+    if (s->fault > 2999.5) {
+        s->M1_last = s->M1_calm;
+    }
+    if (s->fault <= 0.5) {
+        /* ramp of the torques */
         s->M2_last = M2_released;
+    }
+    /* the torque of before */
+    const back_to_back_real M2_calmer = s->M2_calm + s->calm_share * (-s->M2_calm + s->M2_last);
+    back_to_back_real M2_calm_sound;
+    back_to_back_guard(M2_calmer, s->M2_largest, s->M2_calm, &s->M2_calm, &M2_calm_sound);
+    if (s->fault > 2999.5) {
+        s->M2_last = s->M2_calm;
     }
     out->M1_torque_ref = back_to_back_max(-3050.0, back_to_back_min(3050.0, s->M1_last * s->authority));
     out->M2_torque_ref = back_to_back_max(-3050.0, back_to_back_min(3050.0, s->M2_last * s->authority));

@@ -145,6 +145,8 @@ typedef struct {
     back_to_back_real M1_torque_integral; /* integrator of the torque control of M1 (N m) */
     back_to_back_real M1_last; /* last torque of M1 before a fault (N m) */
     back_to_back_real M2_last; /* last torque of M2 before a fault (N m) */
+    back_to_back_real M1_calm; /* smoothed torque of M1, that of before a fault (N m) */
+    back_to_back_real M2_calm; /* smoothed torque of M2, that of before a fault (N m) */
     back_to_back_real bridged_time; /* for how long bad samples are bridged, with room for rounding (s) */
     back_to_back_real switch_share; /* share of a change per step */
     back_to_back_real M1_taper_slope; /* share of the torque of M1 per excess of speed (s/rad) */
@@ -172,6 +174,7 @@ typedef struct {
     back_to_back_real M1_largest; /* torque of M1 that is a fault (N m) */
     back_to_back_real M2_largest; /* torque of M2 that is a fault (N m) */
     back_to_back_real ramp_step; /* change of the released share per step */
+    back_to_back_real calm_share; /* share of a new torque in the smoothed ones */
 } back_to_back_controller_state;
 
 typedef enum {

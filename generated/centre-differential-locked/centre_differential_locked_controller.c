@@ -472,6 +472,7 @@ centre_differential_locked_controller_status centre_differential_locked_controll
     s->M2_largest = 1.01 * centre_differential_locked_min(1200.0, p->M2_torque_max);
     s->M3_largest = 1.01 * centre_differential_locked_min(1200.0, p->M3_torque_max);
     s->ramp_step = p->sample_time / p->fault_ramp;
+    s->calm_share = p->sample_time / (p->sample_time + 0.02);
     s->refused = 0.0;
     return centre_differential_locked_controller_ok;
 }
@@ -1002,8 +1003,35 @@ centre_differential_locked_controller_status centre_differential_locked_controll
     s->running = centre_differential_locked_select(s->fault > 0.5, 0.0, 1.0);
     if (s->fault <= 0.5) {
         s->M1_last = M1_released;
+    }
+    /* the torque of before */
+    const centre_differential_locked_real M1_calmer = s->M1_calm + s->calm_share * (-s->M1_calm + s->M1_last);
+    centre_differential_locked_real M1_calm_sound;
+    centre_differential_locked_guard(M1_calmer, s->M1_largest, s->M1_calm, &s->M1_calm, &M1_calm_sound);
+    if (s->fault > 2999.5) {
+        s->M1_last = s->M1_calm;
+    }
+    if (s->fault <= 0.5) {
+        /* ramp of the torques */
         s->M2_last = M2_released;
+    }
+    /* the torque of before */
+    const centre_differential_locked_real M2_calmer = s->M2_calm + s->calm_share * (-s->M2_calm + s->M2_last);
+    centre_differential_locked_real M2_calm_sound;
+    centre_differential_locked_guard(M2_calmer, s->M2_largest, s->M2_calm, &s->M2_calm, &M2_calm_sound);
+    if (s->fault > 2999.5) {
+        s->M2_last = s->M2_calm;
+    }
+    if (s->fault <= 0.5) {
+        /* ramp of the torques */
         s->M3_last = M3_released;
+    }
+    /* the torque of before */
+    const centre_differential_locked_real M3_calmer = s->M3_calm + s->calm_share * (-s->M3_calm + s->M3_last);
+    centre_differential_locked_real M3_calm_sound;
+    centre_differential_locked_guard(M3_calmer, s->M3_largest, s->M3_calm, &s->M3_calm, &M3_calm_sound);
+    if (s->fault > 2999.5) {
+        s->M3_last = s->M3_calm;
     }
     out->M1_torque_ref = centre_differential_locked_max(-930.0, centre_differential_locked_min(930.0, s->M1_last *
         s->authority));

@@ -206,6 +206,9 @@ typedef struct {
     centre_differential_locked_real M1_last; /* last torque of M1 before a fault (N m) */
     centre_differential_locked_real M2_last; /* last torque of M2 before a fault (N m) */
     centre_differential_locked_real M3_last; /* last torque of M3 before a fault (N m) */
+    centre_differential_locked_real M1_calm; /* smoothed torque of M1, that of before a fault (N m) */
+    centre_differential_locked_real M2_calm; /* smoothed torque of M2, that of before a fault (N m) */
+    centre_differential_locked_real M3_calm; /* smoothed torque of M3, that of before a fault (N m) */
     centre_differential_locked_real bridged_time; /* for how long bad samples are bridged, with room for rounding (s) */
     centre_differential_locked_real switch_share; /* share of a change per step */
     centre_differential_locked_real M1_taper_slope; /* share of the torque of M1 per excess of speed (s/rad) */
@@ -267,6 +270,7 @@ typedef struct {
     centre_differential_locked_real M2_largest; /* torque of M2 that is a fault (N m) */
     centre_differential_locked_real M3_largest; /* torque of M3 that is a fault (N m) */
     centre_differential_locked_real ramp_step; /* change of the released share per step */
+    centre_differential_locked_real calm_share; /* share of a new torque in the smoothed ones */
 } centre_differential_locked_controller_state;
 
 typedef enum {

@@ -256,6 +256,7 @@ clutch_rig_controller_status clutch_rig_controller_update(clutch_rig_controller_
     s->M1_largest = 1.01 * clutch_rig_min(480.0, p->M1_torque_max);
     s->M2_largest = 1.01 * clutch_rig_min(480.0, p->M2_torque_max);
     s->ramp_step = p->sample_time / p->fault_ramp;
+    s->calm_share = p->sample_time / (p->sample_time + 0.02);
     s->refused = 0.0;
     return clutch_rig_controller_ok;
 }
@@ -511,7 +512,24 @@ clutch_rig_controller_status clutch_rig_controller_step(clutch_rig_controller_st
     s->running = clutch_rig_select(s->fault > 0.5, 0.0, 1.0);
     if (s->fault <= 0.5) {
         s->M1_last = M1_released;
+    }
+    /* the torque of before */
+    const clutch_rig_real M1_calmer = s->M1_calm + s->calm_share * (-s->M1_calm + s->M1_last);
+    clutch_rig_real M1_calm_sound;
+    clutch_rig_guard(M1_calmer, s->M1_largest, s->M1_calm, &s->M1_calm, &M1_calm_sound);
+    if (s->fault > 2999.5) {
+        s->M1_last = s->M1_calm;
+    }
+    if (s->fault <= 0.5) {
+        /* ramp of the torques */
         s->M2_last = M2_released;
+    }
+    /* the torque of before */
+    const clutch_rig_real M2_calmer = s->M2_calm + s->calm_share * (-s->M2_calm + s->M2_last);
+    clutch_rig_real M2_calm_sound;
+    clutch_rig_guard(M2_calmer, s->M2_largest, s->M2_calm, &s->M2_calm, &M2_calm_sound);
+    if (s->fault > 2999.5) {
+        s->M2_last = s->M2_calm;
     }
     out->M1_torque_ref = clutch_rig_max(-480.0, clutch_rig_min(480.0, s->M1_last * s->authority));
     out->M2_torque_ref = clutch_rig_max(-480.0, clutch_rig_min(480.0, s->M2_last * s->authority));

@@ -128,6 +128,8 @@ typedef struct {
     clutch_rig_real M2_speed_integral; /* integrator of the speed control of M2 (N m) */
     clutch_rig_real M1_last; /* last torque of M1 before a fault (N m) */
     clutch_rig_real M2_last; /* last torque of M2 before a fault (N m) */
+    clutch_rig_real M1_calm; /* smoothed torque of M1, that of before a fault (N m) */
+    clutch_rig_real M2_calm; /* smoothed torque of M2, that of before a fault (N m) */
     clutch_rig_real bridged_time; /* for how long bad samples are bridged, with room for rounding (s) */
     clutch_rig_real switch_share; /* share of a change per step */
     clutch_rig_real M1_taper_slope; /* share of the torque of M1 per excess of speed (s/rad) */
@@ -152,6 +154,7 @@ typedef struct {
     clutch_rig_real M1_largest; /* torque of M1 that is a fault (N m) */
     clutch_rig_real M2_largest; /* torque of M2 that is a fault (N m) */
     clutch_rig_real ramp_step; /* change of the released share per step */
+    clutch_rig_real calm_share; /* share of a new torque in the smoothed ones */
 } clutch_rig_controller_state;
 
 typedef enum {

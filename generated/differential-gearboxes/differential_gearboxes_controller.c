@@ -397,6 +397,7 @@ differential_gearboxes_controller_status differential_gearboxes_controller_updat
     s->M2_largest = 1.01 * differential_gearboxes_min(3700.0, p->M2_torque_max);
     s->M3_largest = 1.01 * differential_gearboxes_min(3700.0, p->M3_torque_max);
     s->ramp_step = p->sample_time / p->fault_ramp;
+    s->calm_share = p->sample_time / (p->sample_time + 0.02);
     s->refused = 0.0;
     return differential_gearboxes_controller_ok;
 }
@@ -860,8 +861,35 @@ differential_gearboxes_controller_status differential_gearboxes_controller_step(
     s->running = differential_gearboxes_select(s->fault > 0.5, 0.0, 1.0);
     if (s->fault <= 0.5) {
         s->M1_last = M1_released;
+    }
+    /* the torque of before */
+    const differential_gearboxes_real M1_calmer = s->M1_calm + s->calm_share * (-s->M1_calm + s->M1_last);
+    differential_gearboxes_real M1_calm_sound;
+    differential_gearboxes_guard(M1_calmer, s->M1_largest, s->M1_calm, &s->M1_calm, &M1_calm_sound);
+    if (s->fault > 2999.5) {
+        s->M1_last = s->M1_calm;
+    }
+    if (s->fault <= 0.5) {
+        /* ramp of the torques */
         s->M2_last = M2_released;
+    }
+    /* the torque of before */
+    const differential_gearboxes_real M2_calmer = s->M2_calm + s->calm_share * (-s->M2_calm + s->M2_last);
+    differential_gearboxes_real M2_calm_sound;
+    differential_gearboxes_guard(M2_calmer, s->M2_largest, s->M2_calm, &s->M2_calm, &M2_calm_sound);
+    if (s->fault > 2999.5) {
+        s->M2_last = s->M2_calm;
+    }
+    if (s->fault <= 0.5) {
+        /* ramp of the torques */
         s->M3_last = M3_released;
+    }
+    /* the torque of before */
+    const differential_gearboxes_real M3_calmer = s->M3_calm + s->calm_share * (-s->M3_calm + s->M3_last);
+    differential_gearboxes_real M3_calm_sound;
+    differential_gearboxes_guard(M3_calmer, s->M3_largest, s->M3_calm, &s->M3_calm, &M3_calm_sound);
+    if (s->fault > 2999.5) {
+        s->M3_last = s->M3_calm;
     }
     out->M1_torque_ref = differential_gearboxes_max(-3700.0, differential_gearboxes_min(3700.0, s->M1_last *
         s->authority));

@@ -302,6 +302,7 @@ transmission_fixed_gear_controller_status transmission_fixed_gear_controller_upd
     s->M1_largest = 1.01 * transmission_fixed_gear_min(900.0, p->M1_torque_max);
     s->M2_largest = 1.01 * transmission_fixed_gear_min(3300.0, p->M2_torque_max);
     s->ramp_step = p->sample_time / p->fault_ramp;
+    s->calm_share = p->sample_time / (p->sample_time + 0.02);
     s->refused = 0.0;
     return transmission_fixed_gear_controller_ok;
 }
@@ -673,7 +674,24 @@ transmission_fixed_gear_controller_status transmission_fixed_gear_controller_ste
     s->running = transmission_fixed_gear_select(s->fault > 0.5, 0.0, 1.0);
     if (s->fault <= 0.5) {
         s->M1_last = M1_released;
+    }
+    /* the torque of before */
+    const transmission_fixed_gear_real M1_calmer = s->M1_calm + s->calm_share * (-s->M1_calm + s->M1_last);
+    transmission_fixed_gear_real M1_calm_sound;
+    transmission_fixed_gear_guard(M1_calmer, s->M1_largest, s->M1_calm, &s->M1_calm, &M1_calm_sound);
+    if (s->fault > 2999.5) {
+        s->M1_last = s->M1_calm;
+    }
+    if (s->fault <= 0.5) {
+        /* ramp of the torques */
         s->M2_last = M2_released;
+    }
+    /* the torque of before */
+    const transmission_fixed_gear_real M2_calmer = s->M2_calm + s->calm_share * (-s->M2_calm + s->M2_last);
+    transmission_fixed_gear_real M2_calm_sound;
+    transmission_fixed_gear_guard(M2_calmer, s->M2_largest, s->M2_calm, &s->M2_calm, &M2_calm_sound);
+    if (s->fault > 2999.5) {
+        s->M2_last = s->M2_calm;
     }
     out->M1_torque_ref = transmission_fixed_gear_max(-900.0, transmission_fixed_gear_min(900.0, s->M1_last *
         s->authority));

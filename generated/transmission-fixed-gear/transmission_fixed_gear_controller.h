@@ -153,6 +153,8 @@ typedef struct {
     transmission_fixed_gear_real M1_torque_integral; /* integrator of the torque control of M1 (N m) */
     transmission_fixed_gear_real M1_last; /* last torque of M1 before a fault (N m) */
     transmission_fixed_gear_real M2_last; /* last torque of M2 before a fault (N m) */
+    transmission_fixed_gear_real M1_calm; /* smoothed torque of M1, that of before a fault (N m) */
+    transmission_fixed_gear_real M2_calm; /* smoothed torque of M2, that of before a fault (N m) */
     transmission_fixed_gear_real bridged_time; /* for how long bad samples are bridged, with room for rounding (s) */
     transmission_fixed_gear_real switch_share; /* share of a change per step */
     transmission_fixed_gear_real M1_taper_slope; /* share of the torque of M1 per excess of speed (s/rad) */
@@ -181,6 +183,7 @@ typedef struct {
     transmission_fixed_gear_real M1_largest; /* torque of M1 that is a fault (N m) */
     transmission_fixed_gear_real M2_largest; /* torque of M2 that is a fault (N m) */
     transmission_fixed_gear_real ramp_step; /* change of the released share per step */
+    transmission_fixed_gear_real calm_share; /* share of a new torque in the smoothed ones */
 } transmission_fixed_gear_controller_state;
 
 typedef enum {

@@ -96,8 +96,10 @@ def singular_matrix(
         hang = f"the torques at {_listed(places)} hang" if torques > 1 else f"the torque at {places[0]} hangs"
         cause = (
             f"{torques} machines control torques, but {hang} on {twists} twist{'s' if twists != 1 else ''} of the "
-            "reduced bed; with an open or slipping differential both outputs carry the same torque up to friction"
+            "reduced bed"
         )
+        if any(friction.role is FrictionRole.LIMITED_SLIP for friction in model.frictions):
+            cause += "; behind an open or slipping differential both outputs carry the same torque up to friction"
     else:
         cause = "the machines that control torques cannot change these torques independently of the speeds"
     what = f"the decoupling matrix is singular: {cause}"
@@ -196,10 +198,10 @@ def _complex(value: complex, size: float) -> str:
 
 def unmeasured(what: str, model: Model, swinging: Sequence[str]) -> ControlError:
     """Return the error for a law that needs a state which no sensor gives."""
-    remedy = "add a torque flange next to each machine that controls a speed"
+    remedy = "add a torque flange next to each machine that controls a speed and has none"
     if swinging:
         names = ", ".join(f'"{name}"' for name in swinging)
-        remedy += f", or leave the inertia between the machines out of the design: [reduction] drop = [{names}]"
+        remedy = f"leave the inertia between the machines out of the design: [reduction] drop = [{names}]"
     sensors = ", ".join(sensor.name for sensor in model.sensors)
     return ControlError(
         Problem(

@@ -14,6 +14,13 @@ __all__ = ["release"]
 HALF = sp.Rational(1, 2)
 
 
+CALM_TIME = sp.Rational(1, 50)
+"""Time (s) over which torques are smoothed; monitors find faults within a fraction of it or show up slowly."""
+
+FIRST_LATE_FAULT = 3000
+"""Faults from this status on are found by monitors, some time after they began."""
+
+
 def release(w: ControllerWriter, commands: dict[int, sp.Symbol], h: sp.Symbol) -> tuple[Signal, ...]:
     """Return the outputs: the commands, or after a fault the last ones on their way to zero.
 
@@ -21,7 +28,8 @@ def release(w: ControllerWriter, commands: dict[int, sp.Symbol], h: sp.Symbol) -
     that were changed without being checked, do not reach the machine either. No output exceeds the torque of the
     machine in the test bed file, whatever the parameters; ``<M>_torque_max`` can only be less.
 
-    After a reset the torques return along the ramp.
+    After a fault of an input the last sound torques are held; after one that monitors found, which takes time, those of
+    before, smoothed over `CALM_TIME`. After a reset the torques return along the ramp.
     """
     causes, outputs, ratings = [], [], {}
     for machine, name in enumerate(w.design.machines):
@@ -55,10 +63,26 @@ def release(w: ControllerWriter, commands: dict[int, sp.Symbol], h: sp.Symbol) -
     for name in w.design.machines:
         released = signal_symbol(f"{name}_released")
         w.assign(f"{name}_last", released, "ramp of the torques", condition=fault <= HALF)
+        _remember(w, name, h)
     for name, rating in ratings.items():
         applied = signal_symbol(f"{name}_last") * authority
         w.assign(f"{name}_torque_ref", greatest_of(-rating, smallest_of(rating, applied)))
     return tuple(outputs)
+
+
+def _remember(w: ControllerWriter, name: str, h: sp.Symbol) -> None:
+    """Go on, after a fault that took time to be found, with the torque of before: the last ones may be its work."""
+    fault = signal_symbol("fault")
+    calm = w.state(f"{name}_calm", "N m", f"smoothed torque of {name}, that of before a fault", monitor=True)
+    share = w.derive("calm_share", "", "share of a new torque in the smoothed ones", h / (h + CALM_TIME))
+    w.assign(f"{name}_calmer", calm + share * (signal_symbol(f"{name}_last") - calm), "the torque of before")
+    w.call(
+        "guard",
+        (calm.name, f"{name}_calm_sound"),
+        (f"{name}_calmer", f"{name}_largest", calm.name),
+        "the torque of before",
+    )
+    w.assign(f"{name}_last", calm, "the torque of before", condition=fault > FIRST_LATE_FAULT - HALF)
 
 
 def _rating(w: ControllerWriter, machine: int) -> sp.Float:

@@ -162,7 +162,8 @@ def _complex(value: complex) -> str:
 def _matrix(found: Derivation) -> Iterator[RenderableType]:
     decoupling = found.decoupling
     values = found.values
-    yield Text("What each air-gap torque contributes to the first derivative that shows it; it must be regular:")
+    needed = "; it must be regular" if decoupling.structure == "decoupling" else ""
+    yield Text(f"What each air-gap torque contributes to the first derivative that shows it{needed}:")
     table = Table("output", *decoupling.machines, box=box.SIMPLE_HEAD, pad_edge=False)
     for index, output in enumerate(decoupling.outputs):
         row = decoupling.matrix[index, :]

@@ -68,6 +68,10 @@ class LossMap(Record):
         if len(self.speed) != len(self.torque):
             count, got = len(self.speed), len(self.torque)
             raise ValueError(f"torque needs as many entries as speed ({count}), got {got}; give one for each speed")
+        for speed, torque in zip(self.speed, self.torque, strict=True):
+            if speed * torque < 0:
+                what = f"a loss brakes, but {torque:g} N m at {speed:g} rad/s drives"
+                raise ValueError(f"{what}; give torques the sign of their speed")
         return self
 
     @property

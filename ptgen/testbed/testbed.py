@@ -105,6 +105,20 @@ class Tuning(Record):
             return self.speed_control
         return self.speed_control.get(machine, "pi")
 
+    @field_validator("feedforward")
+    @classmethod
+    def _at_most_two(cls, value: float) -> float:
+        if value > 2:
+            raise ValueError(f"must be 2 or less, got {value:g}; 1 feeds the whole torque reference forward")
+        return value
+
+    @field_validator("damping_ratio")
+    @classmethod
+    def _at_most_ten(cls, value: float) -> float:
+        if value > 10:
+            raise ValueError(f"must be 10 or less, got {value:g}; 1 is critical damping (5.81), more is only slower")
+        return value
+
     @field_validator("damping_reserve")
     @classmethod
     def _share(cls, value: float) -> float:

@@ -82,15 +82,15 @@ CASADI_SYMBOL_EXPORT int back_to_back_controller_casadi_casadi_int_size(void) { 
 CASADI_SYMBOL_EXPORT int back_to_back_controller_casadi_casadi_real_size(void) { return (int) sizeof(casadi_real); }
 
 static const casadi_int casadi_s0[3] = {50, 1, 1};
-static const casadi_int casadi_s1[3] = {27, 1, 1};
-static const casadi_int casadi_s2[3] = {63, 1, 1};
+static const casadi_int casadi_s1[3] = {28, 1, 1};
+static const casadi_int casadi_s2[3] = {65, 1, 1};
 static const casadi_int casadi_s3[3] = {7, 1, 1};
 static const casadi_int casadi_s4[3] = {2, 1, 1};
 
 static const casadi_real casadi_zeros[50] = 
   {0.};
 
-/* controller_prepare:(parameters[50])->(derived[27]) */
+/* controller_prepare:(parameters[50])->(derived[28]) */
 static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real w1, w2, w3, w4, w5, w6;
   const casadi_real *wr0;
@@ -288,10 +288,18 @@ static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   if (res[0]) res[0][25] = w3;
   /* #96: @3 = @0[1] */
   w3 = wr0[1];
-  /* #97: @2 = (@2/@3) */
+  /* #97: @3 = (@2/@3) */
+  w3  = (w2/w3);
+  /* #98: output[0][26] = @3 */
+  if (res[0]) res[0][26] = w3;
+  /* #99: @3 = 0.02 */
+  w3 = 2.0000000000000000e-02;
+  /* #100: @3 = (@3+@2) */
+  w3 += w2;
+  /* #101: @2 = (@2/@3) */
   w2 /= w3;
-  /* #98: output[0][26] = @2 */
-  if (res[0]) res[0][26] = w2;
+  /* #102: output[0][27] = @2 */
+  if (res[0]) res[0][27] = w2;
   return 0;
 }
 
@@ -366,7 +374,7 @@ CASADI_SYMBOL_EXPORT int controller_prepare_work_bytes(casadi_int *sz_arg, casad
   return 0;
 }
 
-/* controller_step:(parameters[50],derived[27],states[63],inputs[7])->(next_states[63],outputs[2]) */
+/* controller_step:(parameters[50],derived[28],states[65],inputs[7])->(next_states[65],outputs[2]) */
 static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
@@ -1180,39 +1188,39 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a59=casadi_fabs(a46);
   a22=arg[1]? arg[1][24] : 0;
   a59=(a59<=a22);
-  a22=(a59?a02:0);
-  a22=(a00<a22);
-  a73=casadi_fabs(a78);
-  a30=arg[1]? arg[1][25] : 0;
-  a73=(a73<=a30);
-  a30=(a73?a02:0);
-  a30=(a00<a30);
-  a30=(!a30);
-  a74=7002.;
-  a30=(a30?a74:0);
-  a30=(a22?a30:0);
-  a22=(!a22);
-  a74=7001.;
-  a22=(a22?a74:0);
-  a30=(a30+a22);
-  a05=(a05?a30:0);
+  a73=(a59?a02:0);
+  a73=(a00<a73);
+  a30=casadi_fabs(a78);
+  a74=arg[1]? arg[1][25] : 0;
+  a30=(a30<=a74);
+  a27=(a30?a02:0);
+  a27=(a00<a27);
+  a27=(!a27);
+  a70=7002.;
+  a27=(a27?a70:0);
+  a27=(a73?a27:0);
+  a73=(!a73);
+  a70=7001.;
+  a73=(a73?a70:0);
+  a27=(a27+a73);
+  a05=(a05?a27:0);
   a24=(a24+a05);
   if (res[0]!=0) res[0][0]=a24;
   a05=(a00<a24);
-  a30=arg[1]? arg[1][26] : 0;
-  a22=(-a30);
-  a22=(a05?a22:0);
+  a27=arg[1]? arg[1][26] : 0;
+  a73=(-a27);
+  a73=(a05?a73:0);
   a05=(!a05);
-  a05=(a05?a30:0);
-  a22=(a22+a05);
-  a03=(a03+a22);
+  a05=(a05?a27:0);
+  a73=(a73+a05);
+  a03=(a03+a73);
   a03=casadi_fmax(a04,a03);
   a03=casadi_fmin(a02,a03);
   if (res[0]!=0) res[0][1]=a03;
-  a22=(a00<a24);
-  a22=(!a22);
-  a22=(a22?a02:0);
-  if (res[0]!=0) res[0][2]=a22;
+  a73=(a00<a24);
+  a73=(!a73);
+  a73=(a73?a02:0);
+  if (res[0]!=0) res[0][2]=a73;
   if (res[0]!=0) res[0][3]=a21;
   if (res[0]!=0) res[0][4]=a17;
   if (res[0]!=0) res[0][5]=a31;
@@ -1316,36 +1324,70 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a04=(a04?a86:0);
   a25=(a25+a04);
   if (res[0]!=0) res[0][60]=a25;
-  a25=(a24<=a00);
+  a25=2.9995000000000000e+03;
+  a04=(a25<a24);
+  a86=arg[2]? arg[2][63] : 0;
+  a36=arg[1]? arg[1][27] : 0;
+  a71=(a24<=a00);
   a46=(a59?a46:0);
   a59=(!a59);
   a59=(a59?a08:0);
   a46=(a46+a59);
-  a46=(a25?a46:0);
-  a25=(!a25);
-  a25=(a25?a08:0);
-  a46=(a46+a25);
-  if (res[0]!=0) res[0][61]=a46;
+  a46=(a71?a46:0);
+  a71=(!a71);
+  a71=(a71?a08:0);
+  a46=(a46+a71);
+  a71=(a46-a86);
+  a71=(a36*a71);
+  a71=(a86+a71);
+  a08=casadi_fabs(a71);
+  a08=(a08<=a22);
+  a71=(a08?a71:0);
+  a08=(!a08);
+  a08=(a08?a86:0);
+  a71=(a71+a08);
+  a08=(a04?a71:0);
+  a04=(!a04);
+  a04=(a04?a46:0);
+  a08=(a08+a04);
+  if (res[0]!=0) res[0][61]=a08;
+  a25=(a25<a24);
+  a04=arg[2]? arg[2][64] : 0;
   a24=(a24<=a00);
-  a78=(a73?a78:0);
-  a73=(!a73);
-  a73=(a73?a47:0);
-  a78=(a78+a73);
+  a78=(a30?a78:0);
+  a30=(!a30);
+  a30=(a30?a47:0);
+  a78=(a78+a30);
   a78=(a24?a78:0);
   a24=(!a24);
   a24=(a24?a47:0);
   a78=(a78+a24);
-  if (res[0]!=0) res[0][62]=a78;
-  a24=-3050.;
-  a47=3050.;
-  a46=(a46*a03);
-  a46=casadi_fmin(a47,a46);
-  a46=casadi_fmax(a24,a46);
-  if (res[1]!=0) res[1][0]=a46;
-  a78=(a78*a03);
-  a47=casadi_fmin(a47,a78);
-  a24=casadi_fmax(a24,a47);
-  if (res[1]!=0) res[1][1]=a24;
+  a24=(a78-a04);
+  a36=(a36*a24);
+  a36=(a04+a36);
+  a24=casadi_fabs(a36);
+  a24=(a24<=a74);
+  a36=(a24?a36:0);
+  a24=(!a24);
+  a24=(a24?a04:0);
+  a36=(a36+a24);
+  a24=(a25?a36:0);
+  a25=(!a25);
+  a25=(a25?a78:0);
+  a24=(a24+a25);
+  if (res[0]!=0) res[0][62]=a24;
+  if (res[0]!=0) res[0][63]=a71;
+  if (res[0]!=0) res[0][64]=a36;
+  a36=-3050.;
+  a71=3050.;
+  a08=(a08*a03);
+  a08=casadi_fmin(a71,a08);
+  a08=casadi_fmax(a36,a08);
+  if (res[1]!=0) res[1][0]=a08;
+  a24=(a24*a03);
+  a71=casadi_fmin(a71,a24);
+  a36=casadi_fmax(a36,a71);
+  if (res[1]!=0) res[1][1]=a36;
   return 0;
 }
 

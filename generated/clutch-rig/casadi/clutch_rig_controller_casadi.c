@@ -82,15 +82,15 @@ CASADI_SYMBOL_EXPORT int clutch_rig_controller_casadi_casadi_int_size(void) { re
 CASADI_SYMBOL_EXPORT int clutch_rig_controller_casadi_casadi_real_size(void) { return (int) sizeof(casadi_real); }
 
 static const casadi_int casadi_s0[3] = {41, 1, 1};
-static const casadi_int casadi_s1[3] = {24, 1, 1};
-static const casadi_int casadi_s2[3] = {55, 1, 1};
+static const casadi_int casadi_s1[3] = {25, 1, 1};
+static const casadi_int casadi_s2[3] = {57, 1, 1};
 static const casadi_int casadi_s3[3] = {7, 1, 1};
 static const casadi_int casadi_s4[3] = {2, 1, 1};
 
 static const casadi_real casadi_zeros[41] = 
   {0.};
 
-/* controller_prepare:(parameters[41])->(derived[24]) */
+/* controller_prepare:(parameters[41])->(derived[25]) */
 static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real w1, w2, w3, w4, w5;
   const casadi_real *wr0;
@@ -268,10 +268,18 @@ static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   if (res[0]) res[0][22] = w3;
   /* #86: @3 = @0[1] */
   w3 = wr0[1];
-  /* #87: @2 = (@2/@3) */
+  /* #87: @3 = (@2/@3) */
+  w3  = (w2/w3);
+  /* #88: output[0][23] = @3 */
+  if (res[0]) res[0][23] = w3;
+  /* #89: @3 = 0.02 */
+  w3 = 2.0000000000000000e-02;
+  /* #90: @3 = (@3+@2) */
+  w3 += w2;
+  /* #91: @2 = (@2/@3) */
   w2 /= w3;
-  /* #88: output[0][23] = @2 */
-  if (res[0]) res[0][23] = w2;
+  /* #92: output[0][24] = @2 */
+  if (res[0]) res[0][24] = w2;
   return 0;
 }
 
@@ -346,7 +354,7 @@ CASADI_SYMBOL_EXPORT int controller_prepare_work_bytes(casadi_int *sz_arg, casad
   return 0;
 }
 
-/* controller_step:(parameters[41],derived[24],states[55],inputs[7])->(next_states[55],outputs[2]) */
+/* controller_step:(parameters[41],derived[25],states[57],inputs[7])->(next_states[57],outputs[2]) */
 static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
@@ -354,7 +362,7 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   casadi_real a36, a37, a38, a39, a40, a41, a42, a43, a44, a45, a46, a47;
   casadi_real a48, a49, a50, a51, a52, a53, a54, a55, a56, a57, a58, a59;
   casadi_real a60, a61, a62, a63, a64, a65, a66, a67, a68, a69, a70, a71;
-  casadi_real a72, a73, a74;
+  casadi_real a72, a73, a74, a75, a76;
   a00=5.0000000000000000e-01;
   a01=arg[2]? arg[2][0] : 0;
   a02=1.;
@@ -999,86 +1007,86 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a58=casadi_fabs(a36);
   a27=arg[1]? arg[1][21] : 0;
   a58=(a58<=a27);
-  a27=(a58?a02:0);
-  a27=(a00<a27);
-  a70=arg[1]? arg[1][7] : 0;
-  a25=arg[0]? arg[0][18] : 0;
-  a18=casadi_fabs(a16);
-  a25=casadi_fmax(a25,a18);
-  a70=(a70/a25);
-  a25=arg[1]? arg[1][6] : 0;
-  a18=arg[1]? arg[1][5] : 0;
-  a73=(a16*a18);
-  a73=(a25+a73);
-  a73=casadi_fmin(a02,a73);
-  a73=casadi_fmax(a04,a73);
-  a73=(a70*a73);
-  a73=(-a73);
-  a18=(a16*a18);
-  a25=(a25-a18);
-  a25=casadi_fmin(a02,a25);
-  a25=casadi_fmax(a04,a25);
-  a70=(a70*a25);
-  a25=(a12<=a00);
-  a25=(!a25);
-  a18=arg[2]? arg[2][52] : 0;
-  a25=(a25?a18:0);
-  a18=arg[0]? arg[0][40] : 0;
-  a18=(a04<a18);
+  a70=(a58?a02:0);
+  a70=(a00<a70);
+  a25=arg[1]? arg[1][7] : 0;
+  a18=arg[0]? arg[0][18] : 0;
+  a73=casadi_fabs(a16);
+  a18=casadi_fmax(a18,a73);
+  a25=(a25/a18);
+  a18=arg[1]? arg[1][6] : 0;
+  a73=arg[1]? arg[1][5] : 0;
+  a74=(a16*a73);
+  a74=(a18+a74);
+  a74=casadi_fmin(a02,a74);
+  a74=casadi_fmax(a04,a74);
+  a74=(a25*a74);
+  a74=(-a74);
+  a73=(a16*a73);
+  a18=(a18-a73);
+  a18=casadi_fmin(a02,a18);
+  a18=casadi_fmax(a04,a18);
+  a25=(a25*a18);
+  a18=(a12<=a00);
+  a18=(!a18);
+  a73=arg[2]? arg[2][52] : 0;
+  a18=(a18?a73:0);
+  a73=arg[0]? arg[0][40] : 0;
+  a73=(a04<a73);
   a13=(a13-a72);
   a13=(a19*a13);
   a13=(-a13);
-  a18=(a18?a13:0);
-  a25=(a25+a18);
+  a73=(a73?a13:0);
+  a18=(a18+a73);
   a12=(a12<=a00);
-  a18=(a12?a16:0);
+  a73=(a12?a16:0);
   a12=(!a12);
   a13=arg[2]? arg[2][50] : 0;
   a12=(a12?a13:0);
-  a18=(a18+a12);
+  a73=(a73+a12);
   a12=arg[1]? arg[1][16] : 0;
   a13=(-a12);
   a09=(a32?a09:0);
   a32=(!a32);
-  a74=arg[2]? arg[2][6] : 0;
-  a32=(a32?a74:0);
+  a75=arg[2]? arg[2][6] : 0;
+  a32=(a32?a75:0);
   a09=(a09+a32);
-  a32=(a09-a18);
+  a32=(a09-a73);
   a12=casadi_fmin(a12,a32);
   a13=casadi_fmax(a13,a12);
-  a18=(a18+a13);
-  a13=(a18-a16);
+  a73=(a73+a13);
+  a13=(a73-a16);
   a12=arg[0]? arg[0][39] : 0;
   a12=(a13*a12);
-  a12=(a25+a12);
+  a12=(a18+a12);
   a32=(a19*a72);
   a12=(a12-a32);
-  a70=casadi_fmin(a70,a12);
-  a73=casadi_fmax(a73,a70);
-  a70=casadi_fabs(a73);
+  a25=casadi_fmin(a25,a12);
+  a74=casadi_fmax(a74,a25);
+  a25=casadi_fabs(a74);
   a32=arg[1]? arg[1][22] : 0;
-  a70=(a70<=a32);
-  a32=(a70?a02:0);
-  a32=(a00<a32);
-  a32=(!a32);
-  a74=7002.;
-  a32=(a32?a74:0);
-  a32=(a27?a32:0);
-  a27=(!a27);
-  a74=7001.;
-  a27=(a27?a74:0);
-  a32=(a32+a27);
-  a05=(a05?a32:0);
+  a25=(a25<=a32);
+  a75=(a25?a02:0);
+  a75=(a00<a75);
+  a75=(!a75);
+  a76=7002.;
+  a75=(a75?a76:0);
+  a75=(a70?a75:0);
+  a70=(!a70);
+  a76=7001.;
+  a70=(a70?a76:0);
+  a75=(a75+a70);
+  a05=(a05?a75:0);
   a24=(a24+a05);
   if (res[0]!=0) res[0][0]=a24;
   a05=(a00<a24);
-  a32=arg[1]? arg[1][23] : 0;
-  a27=(-a32);
-  a27=(a05?a27:0);
+  a75=arg[1]? arg[1][23] : 0;
+  a70=(-a75);
+  a70=(a05?a70:0);
   a05=(!a05);
-  a05=(a05?a32:0);
-  a27=(a27+a05);
-  a03=(a03+a27);
+  a05=(a05?a75:0);
+  a70=(a70+a05);
+  a03=(a03+a70);
   a04=casadi_fmax(a04,a03);
   a04=casadi_fmin(a02,a04);
   if (res[0]!=0) res[0][1]=a04;
@@ -1151,53 +1159,87 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   if (res[0]!=0) res[0][47]=a71;
   if (res[0]!=0) res[0][48]=a66;
   if (res[0]!=0) res[0][49]=a46;
-  if (res[0]!=0) res[0][50]=a18;
+  if (res[0]!=0) res[0][50]=a73;
   a22=(a36-a22);
-  a18=arg[1]? arg[1][18] : 0;
-  a22=(a22*a18);
+  a73=arg[1]? arg[1][18] : 0;
+  a22=(a22*a73);
   a14=(a14+a22);
   a22=arg[1]? arg[1][17] : 0;
   a69=(a69*a22);
   a14=(a14+a69);
   if (res[0]!=0) res[0][51]=a14;
-  a12=(a73-a12);
+  a12=(a74-a12);
   a14=arg[1]? arg[1][20] : 0;
   a12=(a12*a14);
-  a25=(a25+a12);
+  a18=(a18+a12);
   a12=arg[1]? arg[1][19] : 0;
   a13=(a13*a12);
-  a25=(a25+a13);
-  if (res[0]!=0) res[0][52]=a25;
-  a25=(a24<=a00);
+  a18=(a18+a13);
+  if (res[0]!=0) res[0][52]=a18;
+  a18=2.9995000000000000e+03;
+  a13=(a18<a24);
+  a12=arg[2]? arg[2][55] : 0;
+  a14=arg[1]? arg[1][24] : 0;
+  a69=(a24<=a00);
   a36=(a58?a36:0);
   a58=(!a58);
   a58=(a58?a08:0);
   a36=(a36+a58);
-  a36=(a25?a36:0);
-  a25=(!a25);
-  a25=(a25?a08:0);
-  a36=(a36+a25);
-  if (res[0]!=0) res[0][53]=a36;
+  a36=(a69?a36:0);
+  a69=(!a69);
+  a69=(a69?a08:0);
+  a36=(a36+a69);
+  a69=(a36-a12);
+  a69=(a14*a69);
+  a69=(a12+a69);
+  a08=casadi_fabs(a69);
+  a08=(a08<=a27);
+  a69=(a08?a69:0);
+  a08=(!a08);
+  a08=(a08?a12:0);
+  a69=(a69+a08);
+  a08=(a13?a69:0);
+  a13=(!a13);
+  a13=(a13?a36:0);
+  a08=(a08+a13);
+  if (res[0]!=0) res[0][53]=a08;
+  a18=(a18<a24);
+  a13=arg[2]? arg[2][56] : 0;
   a24=(a24<=a00);
-  a73=(a70?a73:0);
-  a70=(!a70);
-  a70=(a70?a47:0);
-  a73=(a73+a70);
-  a73=(a24?a73:0);
+  a74=(a25?a74:0);
+  a25=(!a25);
+  a25=(a25?a47:0);
+  a74=(a74+a25);
+  a74=(a24?a74:0);
   a24=(!a24);
   a24=(a24?a47:0);
-  a73=(a73+a24);
-  if (res[0]!=0) res[0][54]=a73;
-  a24=-480.;
-  a47=480.;
-  a36=(a36*a04);
-  a36=casadi_fmin(a47,a36);
-  a36=casadi_fmax(a24,a36);
-  if (res[1]!=0) res[1][0]=a36;
-  a73=(a73*a04);
-  a47=casadi_fmin(a47,a73);
-  a24=casadi_fmax(a24,a47);
-  if (res[1]!=0) res[1][1]=a24;
+  a74=(a74+a24);
+  a24=(a74-a13);
+  a14=(a14*a24);
+  a14=(a13+a14);
+  a24=casadi_fabs(a14);
+  a24=(a24<=a32);
+  a14=(a24?a14:0);
+  a24=(!a24);
+  a24=(a24?a13:0);
+  a14=(a14+a24);
+  a24=(a18?a14:0);
+  a18=(!a18);
+  a18=(a18?a74:0);
+  a24=(a24+a18);
+  if (res[0]!=0) res[0][54]=a24;
+  if (res[0]!=0) res[0][55]=a69;
+  if (res[0]!=0) res[0][56]=a14;
+  a14=-480.;
+  a69=480.;
+  a08=(a08*a04);
+  a08=casadi_fmin(a69,a08);
+  a08=casadi_fmax(a14,a08);
+  if (res[1]!=0) res[1][0]=a08;
+  a24=(a24*a04);
+  a69=casadi_fmin(a69,a24);
+  a14=casadi_fmax(a14,a69);
+  if (res[1]!=0) res[1][1]=a14;
   return 0;
 }
 

@@ -82,15 +82,15 @@ CASADI_SYMBOL_EXPORT int differential_gearboxes_controller_casadi_casadi_int_siz
 CASADI_SYMBOL_EXPORT int differential_gearboxes_controller_casadi_casadi_real_size(void) { return (int) sizeof(casadi_real); }
 
 static const casadi_int casadi_s0[3] = {73, 1, 1};
-static const casadi_int casadi_s1[3] = {44, 1, 1};
-static const casadi_int casadi_s2[3] = {86, 1, 1};
+static const casadi_int casadi_s1[3] = {45, 1, 1};
+static const casadi_int casadi_s2[3] = {89, 1, 1};
 static const casadi_int casadi_s3[3] = {10, 1, 1};
 static const casadi_int casadi_s4[3] = {3, 1, 1};
 
 static const casadi_real casadi_zeros[73] = 
   {0.};
 
-/* controller_prepare:(parameters[73])->(derived[44]) */
+/* controller_prepare:(parameters[73])->(derived[45]) */
 static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real w01, w02, w03, w04, w05, w06, w07, w08, w09, w10, w11, w12;
   const casadi_real *wr00;
@@ -432,10 +432,18 @@ static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   if (res[0]) res[0][42] = w08;
   /* #168: @8 = @0[1] */
   w08 = wr00[1];
-  /* #169: @2 = (@2/@8) */
+  /* #169: @8 = (@2/@8) */
+  w08  = (w02/w08);
+  /* #170: output[0][43] = @8 */
+  if (res[0]) res[0][43] = w08;
+  /* #171: @8 = 0.02 */
+  w08 = 2.0000000000000000e-02;
+  /* #172: @8 = (@8+@2) */
+  w08 += w02;
+  /* #173: @2 = (@2/@8) */
   w02 /= w08;
-  /* #170: output[0][43] = @2 */
-  if (res[0]) res[0][43] = w02;
+  /* #174: output[0][44] = @2 */
+  if (res[0]) res[0][44] = w02;
   return 0;
 }
 
@@ -510,7 +518,7 @@ CASADI_SYMBOL_EXPORT int controller_prepare_work_bytes(casadi_int *sz_arg, casad
   return 0;
 }
 
-/* controller_step:(parameters[73],derived[44],states[86],inputs[10])->(next_states[86],outputs[3]) */
+/* controller_step:(parameters[73],derived[45],states[89],inputs[10])->(next_states[89],outputs[3]) */
 static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a000, a001, a002, a003, a004, a005, a006, a007, a008, a009, a010, a011;
   casadi_real a012, a013, a014, a015, a016, a017, a018, a019, a020, a021, a022, a023;
@@ -1661,49 +1669,49 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a077=casadi_fabs(a045);
   a025=arg[1]? arg[1][40] : 0;
   a077=(a077<=a025);
-  a025=(a077?a002:0);
-  a025=(a000<a025);
-  a074=casadi_fabs(a102);
-  a037=arg[1]? arg[1][41] : 0;
-  a074=(a074<=a037);
-  a037=(a074?a002:0);
-  a037=(a000<a037);
-  a099=casadi_fabs(a113);
-  a110=arg[1]? arg[1][42] : 0;
-  a099=(a099<=a110);
-  a110=(a099?a002:0);
+  a074=(a077?a002:0);
+  a074=(a000<a074);
+  a037=casadi_fabs(a102);
+  a099=arg[1]? arg[1][41] : 0;
+  a037=(a037<=a099);
+  a110=(a037?a002:0);
   a110=(a000<a110);
+  a116=casadi_fabs(a113);
+  a023=arg[1]? arg[1][42] : 0;
+  a116=(a116<=a023);
+  a034=(a116?a002:0);
+  a034=(a000<a034);
+  a034=(!a034);
+  a117=7003.;
+  a034=(a034?a117:0);
+  a034=(a110?a034:0);
   a110=(!a110);
-  a116=7003.;
-  a110=(a110?a116:0);
-  a110=(a037?a110:0);
-  a037=(!a037);
-  a116=7002.;
-  a037=(a037?a116:0);
-  a110=(a110+a037);
-  a110=(a025?a110:0);
-  a025=(!a025);
-  a037=7001.;
-  a025=(a025?a037:0);
-  a110=(a110+a025);
-  a005=(a005?a110:0);
+  a117=7002.;
+  a110=(a110?a117:0);
+  a034=(a034+a110);
+  a034=(a074?a034:0);
+  a074=(!a074);
+  a110=7001.;
+  a074=(a074?a110:0);
+  a034=(a034+a074);
+  a005=(a005?a034:0);
   a031=(a031+a005);
   if (res[0]!=0) res[0][0]=a031;
   a005=(a000<a031);
-  a110=arg[1]? arg[1][43] : 0;
-  a025=(-a110);
-  a025=(a005?a025:0);
+  a034=arg[1]? arg[1][43] : 0;
+  a074=(-a034);
+  a074=(a005?a074:0);
   a005=(!a005);
-  a005=(a005?a110:0);
-  a025=(a025+a005);
-  a003=(a003+a025);
+  a005=(a005?a034:0);
+  a074=(a074+a005);
+  a003=(a003+a074);
   a003=casadi_fmax(a004,a003);
   a003=casadi_fmin(a002,a003);
   if (res[0]!=0) res[0][1]=a003;
-  a025=(a000<a031);
-  a025=(!a025);
-  a025=(a025?a002:0);
-  if (res[0]!=0) res[0][2]=a025;
+  a074=(a000<a031);
+  a074=(!a074);
+  a074=(a074?a002:0);
+  if (res[0]!=0) res[0][2]=a074;
   if (res[0]!=0) res[0][3]=a028;
   if (res[0]!=0) res[0][4]=a018;
   if (res[0]!=0) res[0][5]=a038;
@@ -1843,50 +1851,100 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a004=(a004?a058:0);
   a115=(a115+a004);
   if (res[0]!=0) res[0][82]=a115;
-  a115=(a031<=a000);
+  a115=2.9995000000000000e+03;
+  a004=(a115<a031);
+  a058=arg[2]? arg[2][86] : 0;
+  a083=arg[1]? arg[1][44] : 0;
+  a088=(a031<=a000);
   a045=(a077?a045:0);
   a077=(!a077);
   a077=(a077?a020:0);
   a045=(a045+a077);
-  a045=(a115?a045:0);
-  a115=(!a115);
-  a115=(a115?a020:0);
-  a045=(a045+a115);
-  if (res[0]!=0) res[0][83]=a045;
-  a115=(a031<=a000);
-  a102=(a074?a102:0);
-  a074=(!a074);
-  a074=(a074?a056:0);
-  a102=(a102+a074);
-  a102=(a115?a102:0);
-  a115=(!a115);
-  a115=(a115?a056:0);
-  a102=(a102+a115);
-  if (res[0]!=0) res[0][84]=a102;
+  a045=(a088?a045:0);
+  a088=(!a088);
+  a088=(a088?a020:0);
+  a045=(a045+a088);
+  a088=(a045-a058);
+  a088=(a083*a088);
+  a088=(a058+a088);
+  a020=casadi_fabs(a088);
+  a020=(a020<=a025);
+  a088=(a020?a088:0);
+  a020=(!a020);
+  a020=(a020?a058:0);
+  a088=(a088+a020);
+  a020=(a004?a088:0);
+  a004=(!a004);
+  a004=(a004?a045:0);
+  a020=(a020+a004);
+  if (res[0]!=0) res[0][83]=a020;
+  a004=(a115<a031);
+  a045=arg[2]? arg[2][87] : 0;
+  a058=(a031<=a000);
+  a102=(a037?a102:0);
+  a037=(!a037);
+  a037=(a037?a056:0);
+  a102=(a102+a037);
+  a102=(a058?a102:0);
+  a058=(!a058);
+  a058=(a058?a056:0);
+  a102=(a102+a058);
+  a058=(a102-a045);
+  a058=(a083*a058);
+  a058=(a045+a058);
+  a056=casadi_fabs(a058);
+  a056=(a056<=a099);
+  a058=(a056?a058:0);
+  a056=(!a056);
+  a056=(a056?a045:0);
+  a058=(a058+a056);
+  a056=(a004?a058:0);
+  a004=(!a004);
+  a004=(a004?a102:0);
+  a056=(a056+a004);
+  if (res[0]!=0) res[0][84]=a056;
+  a115=(a115<a031);
+  a004=arg[2]? arg[2][88] : 0;
   a031=(a031<=a000);
-  a113=(a099?a113:0);
-  a099=(!a099);
-  a099=(a099?a064:0);
-  a113=(a113+a099);
+  a113=(a116?a113:0);
+  a116=(!a116);
+  a116=(a116?a064:0);
+  a113=(a113+a116);
   a113=(a031?a113:0);
   a031=(!a031);
   a031=(a031?a064:0);
   a113=(a113+a031);
-  if (res[0]!=0) res[0][85]=a113;
-  a031=-3700.;
-  a064=3700.;
-  a045=(a045*a003);
-  a045=casadi_fmin(a064,a045);
-  a045=casadi_fmax(a031,a045);
-  if (res[1]!=0) res[1][0]=a045;
-  a102=(a102*a003);
-  a102=casadi_fmin(a064,a102);
-  a102=casadi_fmax(a031,a102);
-  if (res[1]!=0) res[1][1]=a102;
-  a113=(a113*a003);
-  a064=casadi_fmin(a064,a113);
-  a031=casadi_fmax(a031,a064);
-  if (res[1]!=0) res[1][2]=a031;
+  a031=(a113-a004);
+  a083=(a083*a031);
+  a083=(a004+a083);
+  a031=casadi_fabs(a083);
+  a031=(a031<=a023);
+  a083=(a031?a083:0);
+  a031=(!a031);
+  a031=(a031?a004:0);
+  a083=(a083+a031);
+  a031=(a115?a083:0);
+  a115=(!a115);
+  a115=(a115?a113:0);
+  a031=(a031+a115);
+  if (res[0]!=0) res[0][85]=a031;
+  if (res[0]!=0) res[0][86]=a088;
+  if (res[0]!=0) res[0][87]=a058;
+  if (res[0]!=0) res[0][88]=a083;
+  a083=-3700.;
+  a058=3700.;
+  a020=(a020*a003);
+  a020=casadi_fmin(a058,a020);
+  a020=casadi_fmax(a083,a020);
+  if (res[1]!=0) res[1][0]=a020;
+  a056=(a056*a003);
+  a056=casadi_fmin(a058,a056);
+  a056=casadi_fmax(a083,a056);
+  if (res[1]!=0) res[1][1]=a056;
+  a031=(a031*a003);
+  a058=casadi_fmin(a058,a031);
+  a083=casadi_fmax(a083,a058);
+  if (res[1]!=0) res[1][2]=a083;
   return 0;
 }
 

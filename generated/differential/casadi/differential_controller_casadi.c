@@ -82,15 +82,15 @@ CASADI_SYMBOL_EXPORT int differential_controller_casadi_casadi_int_size(void) { 
 CASADI_SYMBOL_EXPORT int differential_controller_casadi_casadi_real_size(void) { return (int) sizeof(casadi_real); }
 
 static const casadi_int casadi_s0[3] = {68, 1, 1};
-static const casadi_int casadi_s1[3] = {40, 1, 1};
-static const casadi_int casadi_s2[3] = {86, 1, 1};
+static const casadi_int casadi_s1[3] = {41, 1, 1};
+static const casadi_int casadi_s2[3] = {89, 1, 1};
 static const casadi_int casadi_s3[3] = {10, 1, 1};
 static const casadi_int casadi_s4[3] = {3, 1, 1};
 
 static const casadi_real casadi_zeros[68] = 
   {0.};
 
-/* controller_prepare:(parameters[68])->(derived[40]) */
+/* controller_prepare:(parameters[68])->(derived[41]) */
 static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real w1, w2, w3, w4, w5, w6, w7, w8, w9;
   const casadi_real *wr0;
@@ -386,10 +386,18 @@ static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   if (res[0]) res[0][38] = w8;
   /* #145: @8 = @0[1] */
   w8 = wr0[1];
-  /* #146: @2 = (@2/@8) */
+  /* #146: @8 = (@2/@8) */
+  w8  = (w2/w8);
+  /* #147: output[0][39] = @8 */
+  if (res[0]) res[0][39] = w8;
+  /* #148: @8 = 0.02 */
+  w8 = 2.0000000000000000e-02;
+  /* #149: @8 = (@8+@2) */
+  w8 += w2;
+  /* #150: @2 = (@2/@8) */
   w2 /= w8;
-  /* #147: output[0][39] = @2 */
-  if (res[0]) res[0][39] = w2;
+  /* #151: output[0][40] = @2 */
+  if (res[0]) res[0][40] = w2;
   return 0;
 }
 
@@ -464,7 +472,7 @@ CASADI_SYMBOL_EXPORT int controller_prepare_work_bytes(casadi_int *sz_arg, casad
   return 0;
 }
 
-/* controller_step:(parameters[68],derived[40],states[86],inputs[10])->(next_states[86],outputs[3]) */
+/* controller_step:(parameters[68],derived[41],states[89],inputs[10])->(next_states[89],outputs[3]) */
 static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a000, a001, a002, a003, a004, a005, a006, a007, a008, a009, a010, a011;
   casadi_real a012, a013, a014, a015, a016, a017, a018, a019, a020, a021, a022, a023;
@@ -475,7 +483,7 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   casadi_real a072, a073, a074, a075, a076, a077, a078, a079, a080, a081, a082, a083;
   casadi_real a084, a085, a086, a087, a088, a089, a090, a091, a092, a093, a094, a095;
   casadi_real a096, a097, a098, a099, a100, a101, a102, a103, a104, a105, a106, a107;
-  casadi_real a108, a109, a110, a111, a112, a113, a114, a115, a116;
+  casadi_real a108, a109, a110, a111, a112, a113, a114, a115, a116, a117;
   a000=5.0000000000000000e-01;
   a001=arg[2]? arg[2][0] : 0;
   a002=1.;
@@ -1602,49 +1610,49 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a077=casadi_fabs(a045);
   a025=arg[1]? arg[1][36] : 0;
   a077=(a077<=a025);
-  a025=(a077?a002:0);
-  a025=(a000<a025);
-  a074=casadi_fabs(a029);
-  a098=arg[1]? arg[1][37] : 0;
-  a074=(a074<=a098);
-  a098=(a074?a002:0);
-  a098=(a000<a098);
-  a101=casadi_fabs(a112);
-  a109=arg[1]? arg[1][38] : 0;
-  a101=(a101<=a109);
-  a109=(a101?a002:0);
+  a074=(a077?a002:0);
+  a074=(a000<a074);
+  a098=casadi_fabs(a029);
+  a101=arg[1]? arg[1][37] : 0;
+  a098=(a098<=a101);
+  a109=(a098?a002:0);
   a109=(a000<a109);
+  a034=casadi_fabs(a112);
+  a023=arg[1]? arg[1][38] : 0;
+  a034=(a034<=a023);
+  a116=(a034?a002:0);
+  a116=(a000<a116);
+  a116=(!a116);
+  a117=7003.;
+  a116=(a116?a117:0);
+  a116=(a109?a116:0);
   a109=(!a109);
-  a034=7003.;
-  a109=(a109?a034:0);
-  a109=(a098?a109:0);
-  a098=(!a098);
-  a034=7002.;
-  a098=(a098?a034:0);
-  a109=(a109+a098);
-  a109=(a025?a109:0);
-  a025=(!a025);
-  a098=7001.;
-  a025=(a025?a098:0);
-  a109=(a109+a025);
-  a005=(a005?a109:0);
+  a117=7002.;
+  a109=(a109?a117:0);
+  a116=(a116+a109);
+  a116=(a074?a116:0);
+  a074=(!a074);
+  a109=7001.;
+  a074=(a074?a109:0);
+  a116=(a116+a074);
+  a005=(a005?a116:0);
   a031=(a031+a005);
   if (res[0]!=0) res[0][0]=a031;
   a005=(a000<a031);
-  a109=arg[1]? arg[1][39] : 0;
-  a025=(-a109);
-  a025=(a005?a025:0);
+  a116=arg[1]? arg[1][39] : 0;
+  a074=(-a116);
+  a074=(a005?a074:0);
   a005=(!a005);
-  a005=(a005?a109:0);
-  a025=(a025+a005);
-  a003=(a003+a025);
+  a005=(a005?a116:0);
+  a074=(a074+a005);
+  a003=(a003+a074);
   a003=casadi_fmax(a004,a003);
   a003=casadi_fmin(a002,a003);
   if (res[0]!=0) res[0][1]=a003;
-  a025=(a000<a031);
-  a025=(!a025);
-  a025=(a025?a002:0);
-  if (res[0]!=0) res[0][2]=a025;
+  a074=(a000<a031);
+  a074=(!a074);
+  a074=(a074?a002:0);
+  if (res[0]!=0) res[0][2]=a074;
   if (res[0]!=0) res[0][3]=a028;
   if (res[0]!=0) res[0][4]=a018;
   if (res[0]!=0) res[0][5]=a038;
@@ -1782,52 +1790,102 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a004=(a004?a114:0);
   a088=(a088+a004);
   if (res[0]!=0) res[0][82]=a088;
-  a088=(a031<=a000);
+  a088=2.9995000000000000e+03;
+  a004=(a088<a031);
+  a114=arg[2]? arg[2][86] : 0;
+  a058=arg[1]? arg[1][40] : 0;
+  a083=(a031<=a000);
   a045=(a077?a045:0);
   a077=(!a077);
   a077=(a077?a020:0);
   a045=(a045+a077);
-  a045=(a088?a045:0);
-  a088=(!a088);
-  a088=(a088?a020:0);
-  a045=(a045+a088);
-  if (res[0]!=0) res[0][83]=a045;
-  a088=(a031<=a000);
-  a029=(a074?a029:0);
-  a074=(!a074);
-  a074=(a074?a056:0);
-  a029=(a029+a074);
-  a029=(a088?a029:0);
-  a088=(!a088);
-  a088=(a088?a056:0);
-  a029=(a029+a088);
-  if (res[0]!=0) res[0][84]=a029;
+  a045=(a083?a045:0);
+  a083=(!a083);
+  a083=(a083?a020:0);
+  a045=(a045+a083);
+  a083=(a045-a114);
+  a083=(a058*a083);
+  a083=(a114+a083);
+  a020=casadi_fabs(a083);
+  a020=(a020<=a025);
+  a083=(a020?a083:0);
+  a020=(!a020);
+  a020=(a020?a114:0);
+  a083=(a083+a020);
+  a020=(a004?a083:0);
+  a004=(!a004);
+  a004=(a004?a045:0);
+  a020=(a020+a004);
+  if (res[0]!=0) res[0][83]=a020;
+  a004=(a088<a031);
+  a045=arg[2]? arg[2][87] : 0;
+  a114=(a031<=a000);
+  a029=(a098?a029:0);
+  a098=(!a098);
+  a098=(a098?a056:0);
+  a029=(a029+a098);
+  a029=(a114?a029:0);
+  a114=(!a114);
+  a114=(a114?a056:0);
+  a029=(a029+a114);
+  a114=(a029-a045);
+  a114=(a058*a114);
+  a114=(a045+a114);
+  a056=casadi_fabs(a114);
+  a056=(a056<=a101);
+  a114=(a056?a114:0);
+  a056=(!a056);
+  a056=(a056?a045:0);
+  a114=(a114+a056);
+  a056=(a004?a114:0);
+  a004=(!a004);
+  a004=(a004?a029:0);
+  a056=(a056+a004);
+  if (res[0]!=0) res[0][84]=a056;
+  a088=(a088<a031);
+  a004=arg[2]? arg[2][88] : 0;
   a031=(a031<=a000);
-  a112=(a101?a112:0);
-  a101=(!a101);
-  a101=(a101?a064:0);
-  a112=(a112+a101);
+  a112=(a034?a112:0);
+  a034=(!a034);
+  a034=(a034?a064:0);
+  a112=(a112+a034);
   a112=(a031?a112:0);
   a031=(!a031);
   a031=(a031?a064:0);
   a112=(a112+a031);
-  if (res[0]!=0) res[0][85]=a112;
-  a031=-930.;
-  a064=930.;
-  a045=(a045*a003);
-  a064=casadi_fmin(a064,a045);
-  a031=casadi_fmax(a031,a064);
-  if (res[1]!=0) res[1][0]=a031;
-  a031=-3700.;
-  a064=3700.;
-  a029=(a029*a003);
-  a029=casadi_fmin(a064,a029);
-  a029=casadi_fmax(a031,a029);
-  if (res[1]!=0) res[1][1]=a029;
-  a112=(a112*a003);
-  a064=casadi_fmin(a064,a112);
-  a031=casadi_fmax(a031,a064);
-  if (res[1]!=0) res[1][2]=a031;
+  a031=(a112-a004);
+  a058=(a058*a031);
+  a058=(a004+a058);
+  a031=casadi_fabs(a058);
+  a031=(a031<=a023);
+  a058=(a031?a058:0);
+  a031=(!a031);
+  a031=(a031?a004:0);
+  a058=(a058+a031);
+  a031=(a088?a058:0);
+  a088=(!a088);
+  a088=(a088?a112:0);
+  a031=(a031+a088);
+  if (res[0]!=0) res[0][85]=a031;
+  if (res[0]!=0) res[0][86]=a083;
+  if (res[0]!=0) res[0][87]=a114;
+  if (res[0]!=0) res[0][88]=a058;
+  a058=-930.;
+  a114=930.;
+  a020=(a020*a003);
+  a114=casadi_fmin(a114,a020);
+  a058=casadi_fmax(a058,a114);
+  if (res[1]!=0) res[1][0]=a058;
+  a058=-3700.;
+  a114=3700.;
+  a056=(a056*a003);
+  a056=casadi_fmin(a114,a056);
+  a056=casadi_fmax(a058,a056);
+  if (res[1]!=0) res[1][1]=a056;
+  a031=(a031*a003);
+  a114=casadi_fmin(a114,a031);
+  a058=casadi_fmax(a058,a114);
+  if (res[1]!=0) res[1][2]=a058;
   return 0;
 }
 

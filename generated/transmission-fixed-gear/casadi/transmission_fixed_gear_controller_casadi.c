@@ -82,15 +82,15 @@ CASADI_SYMBOL_EXPORT int transmission_fixed_gear_controller_casadi_casadi_int_si
 CASADI_SYMBOL_EXPORT int transmission_fixed_gear_controller_casadi_casadi_real_size(void) { return (int) sizeof(casadi_real); }
 
 static const casadi_int casadi_s0[3] = {54, 1, 1};
-static const casadi_int casadi_s1[3] = {28, 1, 1};
-static const casadi_int casadi_s2[3] = {66, 1, 1};
+static const casadi_int casadi_s1[3] = {29, 1, 1};
+static const casadi_int casadi_s2[3] = {68, 1, 1};
 static const casadi_int casadi_s3[3] = {8, 1, 1};
 static const casadi_int casadi_s4[3] = {2, 1, 1};
 
 static const casadi_real casadi_zeros[54] = 
   {0.};
 
-/* controller_prepare:(parameters[54])->(derived[28]) */
+/* controller_prepare:(parameters[54])->(derived[29]) */
 static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real w1, w2, w3, w4, w5, w6;
   const casadi_real *wr0;
@@ -294,10 +294,18 @@ static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   if (res[0]) res[0][26] = w6;
   /* #99: @6 = @0[1] */
   w6 = wr0[1];
-  /* #100: @2 = (@2/@6) */
+  /* #100: @6 = (@2/@6) */
+  w6  = (w2/w6);
+  /* #101: output[0][27] = @6 */
+  if (res[0]) res[0][27] = w6;
+  /* #102: @6 = 0.02 */
+  w6 = 2.0000000000000000e-02;
+  /* #103: @6 = (@6+@2) */
+  w6 += w2;
+  /* #104: @2 = (@2/@6) */
   w2 /= w6;
-  /* #101: output[0][27] = @2 */
-  if (res[0]) res[0][27] = w2;
+  /* #105: output[0][28] = @2 */
+  if (res[0]) res[0][28] = w2;
   return 0;
 }
 
@@ -372,7 +380,7 @@ CASADI_SYMBOL_EXPORT int controller_prepare_work_bytes(casadi_int *sz_arg, casad
   return 0;
 }
 
-/* controller_step:(parameters[54],derived[28],states[66],inputs[8])->(next_states[66],outputs[2]) */
+/* controller_step:(parameters[54],derived[29],states[68],inputs[8])->(next_states[68],outputs[2]) */
 static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
@@ -1240,39 +1248,39 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a62=casadi_fabs(a49);
   a18=arg[1]? arg[1][25] : 0;
   a62=(a62<=a18);
-  a18=(a62?a02:0);
-  a18=(a00<a18);
-  a76=casadi_fabs(a82);
-  a29=arg[1]? arg[1][26] : 0;
-  a76=(a76<=a29);
-  a29=(a76?a02:0);
-  a29=(a00<a29);
-  a29=(!a29);
-  a78=7002.;
-  a29=(a29?a78:0);
-  a29=(a18?a29:0);
-  a18=(!a18);
-  a78=7001.;
-  a18=(a18?a78:0);
-  a29=(a29+a18);
-  a05=(a05?a29:0);
+  a76=(a62?a02:0);
+  a76=(a00<a76);
+  a29=casadi_fabs(a82);
+  a78=arg[1]? arg[1][26] : 0;
+  a29=(a29<=a78);
+  a79=(a29?a02:0);
+  a79=(a00<a79);
+  a79=(!a79);
+  a73=7002.;
+  a79=(a79?a73:0);
+  a79=(a76?a79:0);
+  a76=(!a76);
+  a73=7001.;
+  a76=(a76?a73:0);
+  a79=(a79+a76);
+  a05=(a05?a79:0);
   a26=(a26+a05);
   if (res[0]!=0) res[0][0]=a26;
   a05=(a00<a26);
-  a29=arg[1]? arg[1][27] : 0;
-  a18=(-a29);
-  a18=(a05?a18:0);
+  a79=arg[1]? arg[1][27] : 0;
+  a76=(-a79);
+  a76=(a05?a76:0);
   a05=(!a05);
-  a05=(a05?a29:0);
-  a18=(a18+a05);
-  a03=(a03+a18);
+  a05=(a05?a79:0);
+  a76=(a76+a05);
+  a03=(a03+a76);
   a03=casadi_fmax(a04,a03);
   a03=casadi_fmin(a02,a03);
   if (res[0]!=0) res[0][1]=a03;
-  a18=(a00<a26);
-  a18=(!a18);
-  a18=(a18?a02:0);
-  if (res[0]!=0) res[0][2]=a18;
+  a76=(a00<a26);
+  a76=(!a76);
+  a76=(a76?a02:0);
+  if (res[0]!=0) res[0][2]=a76;
   if (res[0]!=0) res[0][3]=a23;
   if (res[0]!=0) res[0][4]=a19;
   if (res[0]!=0) res[0][5]=a33;
@@ -1379,38 +1387,72 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a04=(a04?a90:0);
   a42=(a42+a04);
   if (res[0]!=0) res[0][63]=a42;
-  a42=(a26<=a00);
+  a42=2.9995000000000000e+03;
+  a04=(a42<a26);
+  a90=arg[2]? arg[2][66] : 0;
+  a40=arg[1]? arg[1][28] : 0;
+  a27=(a26<=a00);
   a49=(a62?a49:0);
   a62=(!a62);
   a62=(a62?a24:0);
   a49=(a49+a62);
-  a49=(a42?a49:0);
-  a42=(!a42);
-  a42=(a42?a24:0);
-  a49=(a49+a42);
-  if (res[0]!=0) res[0][64]=a49;
+  a49=(a27?a49:0);
+  a27=(!a27);
+  a27=(a27?a24:0);
+  a49=(a49+a27);
+  a27=(a49-a90);
+  a27=(a40*a27);
+  a27=(a90+a27);
+  a24=casadi_fabs(a27);
+  a24=(a24<=a18);
+  a27=(a24?a27:0);
+  a24=(!a24);
+  a24=(a24?a90:0);
+  a27=(a27+a24);
+  a24=(a04?a27:0);
+  a04=(!a04);
+  a04=(a04?a49:0);
+  a24=(a24+a04);
+  if (res[0]!=0) res[0][64]=a24;
+  a42=(a42<a26);
+  a04=arg[2]? arg[2][67] : 0;
   a26=(a26<=a00);
-  a82=(a76?a82:0);
-  a76=(!a76);
-  a76=(a76?a50:0);
-  a82=(a82+a76);
+  a82=(a29?a82:0);
+  a29=(!a29);
+  a29=(a29?a50:0);
+  a82=(a82+a29);
   a82=(a26?a82:0);
   a26=(!a26);
   a26=(a26?a50:0);
   a82=(a82+a26);
-  if (res[0]!=0) res[0][65]=a82;
-  a26=-900.;
-  a50=900.;
-  a49=(a49*a03);
-  a50=casadi_fmin(a50,a49);
-  a26=casadi_fmax(a26,a50);
-  if (res[1]!=0) res[1][0]=a26;
-  a26=-3300.;
-  a50=3300.;
-  a82=(a82*a03);
-  a50=casadi_fmin(a50,a82);
-  a26=casadi_fmax(a26,a50);
-  if (res[1]!=0) res[1][1]=a26;
+  a26=(a82-a04);
+  a40=(a40*a26);
+  a40=(a04+a40);
+  a26=casadi_fabs(a40);
+  a26=(a26<=a78);
+  a40=(a26?a40:0);
+  a26=(!a26);
+  a26=(a26?a04:0);
+  a40=(a40+a26);
+  a26=(a42?a40:0);
+  a42=(!a42);
+  a42=(a42?a82:0);
+  a26=(a26+a42);
+  if (res[0]!=0) res[0][65]=a26;
+  if (res[0]!=0) res[0][66]=a27;
+  if (res[0]!=0) res[0][67]=a40;
+  a40=-900.;
+  a27=900.;
+  a24=(a24*a03);
+  a27=casadi_fmin(a27,a24);
+  a40=casadi_fmax(a40,a27);
+  if (res[1]!=0) res[1][0]=a40;
+  a40=-3300.;
+  a27=3300.;
+  a26=(a26*a03);
+  a27=casadi_fmin(a27,a26);
+  a40=casadi_fmax(a40,a27);
+  if (res[1]!=0) res[1][1]=a40;
   return 0;
 }
 
