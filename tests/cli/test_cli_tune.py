@@ -112,7 +112,7 @@ def test_what_does_not_hold_once_written_is_not_written(bed):
 
     project = Project.read(bed)
     before = bed.read_bytes()
-    found = replace(tune(project), changes={"damping_ratio": 90.0})
+    found = replace(tune(project), changes={"torque_bandwidth": "3000 rad/s"})
     with pytest.raises(RunError, match="file was left as it was"):
         write_wishes(project, found)
     assert bed.read_bytes() == before and len(list(bed.parent.iterdir())) == 1
