@@ -70,7 +70,7 @@ def _examined(
     name, sticks = friction.name, friction.name not in settings.locked
     locked = (*settings.locked, name) if sticks else tuple(other for other in settings.locked if other != name)
     try:
-        other = reduce_mechanism(mechanism, _with_locked(settings, locked))
+        other = reduce_mechanism(mechanism.with_numbers(), _with_locked(settings, locked))
         more = len(other.model.twists) - twists
         check_structure(other, roles)
     except (ControlError, ModelError) as error:

@@ -18,6 +18,7 @@ from ptgen.elements import (
     Friction,
     Parameter,
     Place,
+    Row,
     Sensor,
     Spring,
     Torque,
@@ -143,6 +144,29 @@ class Mechanism:
             self,
             frictions=tuple(friction for friction in self.frictions if friction.name not in names),
             constraints=self.constraints + tuple(Constraint(friction.name, friction.row) for friction in locked),
+        )
+
+    def with_numbers(self) -> Mechanism:
+        """Return the mechanism with rational numbers in place of the parameters of its mechanics, for quick algebra."""
+        table = {symbol: sp.Rational(f"{value:.12g}") for symbol, value in self.values.items()}
+
+        def number(expression: sp.Expr) -> sp.Expr:
+            return sp.sympify(expression).xreplace(table)
+
+        def row(coefficients: Row) -> Row:
+            return {name: number(value) for name, value in coefficients.items()}
+
+        return replace(
+            self,
+            bodies=tuple(replace(body, inertia=number(body.inertia)) for body in self.bodies),
+            constraints=tuple(replace(constraint, row=row(constraint.row)) for constraint in self.constraints),
+            springs=tuple(
+                replace(s, row=row(s.row), stiffness=number(s.stiffness), damping=number(s.damping))
+                for s in self.springs
+            ),
+            frictions=tuple(replace(f, row=row(f.row), viscous=number(f.viscous)) for f in self.frictions),
+            torques=tuple(replace(torque, row=row(torque.row)) for torque in self.torques),
+            places=tuple(replace(place, flanges=row(place.flanges)) for place in self.places),
         )
 
     def with_closed_backlash(self) -> Mechanism:
