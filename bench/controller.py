@@ -66,6 +66,7 @@ def compiled(project: Project, folder: Path) -> Path:
             f"-DBED={prefix}",
             f'-DCONTROLLER_HEADER="{prefix}_controller.h"',
             f'-DPLANT_HEADER="{prefix}_plant.h"',
+            f"-DAT_REST={_at_rest(project)}",
             f"-I{folder}",
             "-o",
             str(program),
@@ -76,6 +77,12 @@ def compiled(project: Project, folder: Path) -> Path:
         check=True,
     )
     return program
+
+
+def _at_rest(project: Project) -> str:
+    """Return the plant's inputs that are not zero at rest, the ratios that can change, as C initialisers."""
+    ratios = {name: parameter.value for name, parameter in project.testbed.ratios.items()}
+    return ",".join(f".{name}_ratio={value!r}" for name, value in ratios.items()) or "0"
 
 
 def times(program: Path) -> dict[str, float]:

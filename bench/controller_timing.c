@@ -71,12 +71,13 @@ int main(int argc, char **argv)
     real sum = 0;
     double start = now();
     if (strcmp(kind, "plant") == 0) {
-        P(inputs) inputs;
+        P(inputs) inputs = {AT_REST};
         P(outputs) outputs;
-        memset(&inputs, 0, sizeof inputs);
         for (long k = 0; k < steps; ++k) {
             *(real *)(void *)&inputs = noise();
-            P(step)(&plant, &plant_params, &inputs, &outputs);
+            if ((int)P(step)(&plant, &plant_params, &inputs, &outputs) != 0) {
+                return 1;
+            }
             sum += *(real *)(void *)&outputs;
         }
     } else {
