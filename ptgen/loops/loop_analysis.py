@@ -24,6 +24,7 @@ from ptgen.mechanism.model import Model
 from ptgen.plant.plant import plant_block
 from ptgen.project import Project
 from ptgen.simulate.run import ControllerName
+from ptgen.testbed.testbed import Structure
 
 __all__ = [
     "Cause",
@@ -114,6 +115,10 @@ class LoopAnalysis:
     ----------
     name, title, file : str
     controller : {"decoupling", "conventional"}
+    structure : {"decoupling", "individual"}
+        Of the law.
+    experimental : tuple of str
+        Machines with super-twisting speed control, which is linear only close to zero error.
     locked, free : tuple of str
         Friction elements that stick, and those that slip without friction.
     parameters : mapping
@@ -145,6 +150,8 @@ class LoopAnalysis:
     title: str
     file: str
     controller: ControllerName
+    structure: Structure
+    experimental: tuple[str, ...]
     locked: tuple[str, ...]
     free: tuple[str, ...]
     parameters: Mapping[str, float]
@@ -162,6 +169,11 @@ class LoopAnalysis:
     referenced: ReferencedLoop
     chosen: Mapping[str, float]
     continuous: Setting | None
+
+    @property
+    def law(self) -> str:
+        """What the controller is called: individual, if its machines do not work together."""
+        return self.structure if self.controller == "decoupling" else self.controller
 
     @property
     def is_stable(self) -> bool:
@@ -260,6 +272,8 @@ def analyse(
         title=project.testbed.title,
         file=project.testbed.file,
         controller=controller,
+        structure=project.design.decoupling.structure,
+        experimental=tuple(project.design.gains.super_twisting),
         locked=held,
         free=tuple(f.name for f in project.model.frictions if f.name not in held),
         parameters=given,

@@ -20,6 +20,8 @@ def loop_json(found: LoopAnalysis) -> dict[str, Any]:
         "name": found.name,
         "title": found.title,
         "controller": found.controller,
+        "structure": found.structure,
+        "experimental": list(found.experimental),
         "locked": list(found.locked),
         "free": list(found.free),
         "parameters": dict(found.parameters),

@@ -24,7 +24,7 @@ _POLES = 14
 
 def loop_text(found: LoopAnalysis) -> Iterator[RenderableType]:
     """Yield the verdict and the tables."""
-    yield Text(f"{found.title}: {found.controller} controller, sampled every {readable(found.sample_time, 's')}")
+    yield Text(f"{found.title}: {found.law} controller, sampled every {readable(found.sample_time, 's')}")
     for sentence in verdict(found):
         yield Text(f"  {sentence}")
     if found.loops:

@@ -131,6 +131,12 @@ def verdict(found: LoopAnalysis) -> tuple[str, ...]:
     if weakest is not None and np.isfinite(weakest.margins.phase_deg):
         sentences.append(_weakest(weakest))
     sentences.append(_advice(found))
+    if found.experimental:
+        names = ", ".join(found.experimental)
+        sentences.append(
+            f"The super-twisting speed control of {names} is experimental: all of this holds only within its small "
+            "layer around zero error, where it is linear."
+        )
     return tuple(sentences)
 
 

@@ -12,6 +12,7 @@ from ptgen.analysis.margins import common_delay_margin
 from ptgen.loops.loop_analysis import analyse, loop_family
 from ptgen.mechanism.modes import modes
 from ptgen.project import Project
+from ptgen.report.loop_verdict import verdict
 
 
 @pytest.fixture(scope="module")
@@ -121,3 +122,13 @@ def test_pairs_of_speeds_are_moved_and_followed_as_pairs(root, tmp_path):
     assert set(moved) == {"torque.M1", "speed_mean.rear", "speed_difference.rear"}
     assert moved["speed_mean.rear"] == pytest.approx(alone["speed.M2"] + alone["speed.M3"], rel=0.02)
     assert moved["speed_difference.rear"] < 0.02 * moved["speed_mean.rear"]
+
+
+def test_an_individual_law_and_an_experimental_one_are_called_so(projects, root, tmp_path):
+    assert analyse(projects["centre_differential"]).law == "individual"
+    text = (root / "testbeds" / "back-to-back.toml").read_text(encoding="utf-8")
+    file = tmp_path / "bed.toml"
+    file.write_text(text.replace("[control]\n", '[control]\nspeed_control = "super_twisting"\n'), encoding="utf-8")
+    found = analyse(Project.read(file))
+    assert (found.law, found.experimental) == ("decoupling", ("M2",))
+    assert "experimental" in verdict(found)[-1]

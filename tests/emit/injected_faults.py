@@ -41,10 +41,13 @@ TORQUE: dict[str, Failure] = {
 
 @dataclass(frozen=True)
 class Outcome:
-    """What was said, and how long after the failure (s); no text if nothing was."""
+    """What was said, and how long after the failure (s); no text if nothing was. Torques in shares of the machines'."""
 
     text: str
     after: float
+    before: dict[str, float]
+    worst: dict[str, float]
+    held: dict[str, float]
 
 
 def references(time: float) -> dict[str, float]:
@@ -66,6 +69,12 @@ def run(library: Library, signal: str, failure: Failure | None, parameters: dict
     step, last = params.sample_time, 0.0
     scale = float(getattr(params, {"1": "M1", "2": "M2", "3": "M3"}[signal.strip("Mflangetorquspd_")] + "_torque_max"))
     unit = scale if signal.startswith("flange") else 1.0
+    before, worst = dict.fromkeys(outputs, 0.0), dict.fromkeys(outputs, 0.0)
+
+    def shares() -> dict[str, float]:
+        most = {name: getattr(params, name.replace("_torque_ref", "_torque_max")) for name in outputs}
+        return {name: getattr(commands, name) / most[name] for name in outputs}
+
     for k in range(round(END / step)):
         for name in common:
             setattr(inputs, name, getattr(measured, name))
@@ -78,11 +87,15 @@ def run(library: Library, signal: str, failure: Failure | None, parameters: dict
             last = true
         status = controller.step_struct(state, params, inputs, commands)
         if status != 0:
-            return Outcome(controller.status_text(status), k * step - START)
+            return Outcome(controller.status_text(status), k * step - START, before, worst, shares())
+        if k * step < START:
+            before = shares()
+        else:
+            worst = {name: max(worst[name], abs(share - before[name])) for name, share in shares().items()}
         for name in outputs:
             setattr(driven, name, getattr(commands, name))
         plant.step_struct(plant_state, plant_params, driven, measured)
-    return Outcome("", END - START)
+    return Outcome("", END - START, before, worst, shares())
 
 
 def main() -> None:

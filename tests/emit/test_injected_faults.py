@@ -41,6 +41,14 @@ def test_failed_sensor_is_found_and_named(signal: str, kind: str, text: str, wit
     assert found.text.startswith(text) and found.after <= within
 
 
+def test_torques_of_before_are_held_not_those_of_the_failure(library: Library) -> None:
+    """A speed that drops to zero asks for full torque until it is found out; that torque is not held."""
+    found = run(library, "M2_speed", SPEED["drops to zero"])
+    assert max(found.worst.values()) > 0.8
+    for name, share in found.held.items():
+        assert abs(share - found.before[name]) < 0.12, name
+
+
 def test_the_same_run_without_failure_does_not_trip(library: Library) -> None:
     assert run(library, "M2_speed", None).text == ""
 
