@@ -5,8 +5,9 @@ from __future__ import annotations
 import pytest
 
 KEYS = {
-    "name", "title", "controller", "structure", "experimental", "locked", "free", "parameters", "sample_time", "stable", "verdict",
-    "continuous", "loops", "margins", "disk_mode", "delay_mode", "poles", "levers", "algebraic_loop", "coupling",
+    "name", "title", "controller", "structure", "experimental", "locked", "free", "parameters", "sample_time", "stable",
+    "verdict", "continuous", "loops", "margins", "disk_mode", "delay_mode", "poles", "levers", "algebraic_loop",
+    "coupling",
 }  # fmt: skip
 
 
