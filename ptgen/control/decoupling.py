@@ -180,12 +180,7 @@ def check_structure(reduced: ReducedModel, roles: Roles) -> None:
     machines = tuple(torque.name for torque in model.inputs)
     actuators = tuple(machines.index(name) for name in (*roles.torque, *roles.speed))
     torque_count = len(roles.torque)
-    forms = _output_forms(model, roles)
-    system = affine_system(model)
-    chains = tuple(derivatives(system, name, form) for name, form in forms.items())
-    findings.check_degrees(chains, roles)
-    matrix = exact.stack([chain.input_row for chain in chains], len(machines))
-    singular = findings.singular_matrix(matrix, {}, model, tuple(forms)[:torque_count])
+    forms, system, chains, matrix, singular = _differentiated(model, roles, {}, {})
     if singular is not None:
         raise singular
     wishes = Wishes(
@@ -211,13 +206,8 @@ def _decouple(reduced: ReducedModel, roles: Roles, structure: Structure, losses:
     basis = twists_of(model, actuators[:torque_count])
     short = abbreviate(basis.model)
     estimates, model, values = _with_inertia_estimates(short.model, machines, actuators[:torque_count])
-    forms = _output_forms(model, roles)
-    system = affine_system(model)
     rates = {parameter.symbol: sp.Symbol(f"{parameter.symbol.name}_rate") for parameter in model.changing}
-    chains = tuple(derivatives(system, name, form, rates) for name, form in forms.items())
-    matrix = exact.stack([chain.input_row for chain in chains], len(machines))
-    findings.check_degrees(chains, roles)
-    singular = findings.singular_matrix(matrix, values, model, tuple(forms)[:torque_count])
+    forms, system, chains, matrix, singular = _differentiated(model, roles, values, rates)
     wishes = Wishes(
         torque_count=torque_count,
         actuators=actuators,
@@ -271,6 +261,19 @@ def _decouple(reduced: ReducedModel, roles: Roles, structure: Structure, losses:
         values=values,
         definitions={**reduced.definitions, **short.definitions},
     )
+
+
+def _differentiated(
+    model: Model, roles: Roles, values: Mapping[sp.Symbol, float], rates: Mapping[sp.Symbol, sp.Expr]
+) -> tuple[dict[str, LinearForm], AffineSystem, tuple[OutputChain, ...], sp.Matrix, ControlError | None]:
+    """Return outputs, state equations, derivatives, decoupling matrix (5.29), and the error if that is singular."""
+    forms = _output_forms(model, roles)
+    system = affine_system(model)
+    chains = tuple(derivatives(system, name, form, rates) for name, form in forms.items())
+    findings.check_degrees(chains, roles)
+    matrix = exact.stack([chain.input_row for chain in chains], len(model.inputs))
+    singular = findings.singular_matrix(matrix, values, model, tuple(forms)[: len(roles.torque)])
+    return forms, system, chains, matrix, singular
 
 
 def _findings(singular: ControlError | None, model: Model, speed_machines: tuple[int, ...]) -> tuple[str, ...]:

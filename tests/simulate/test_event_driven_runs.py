@@ -62,6 +62,7 @@ def test_low_passes_and_computation_delay_are_those_of_both_plants(delay: str, r
     text = text.replace('type = "machine"\n', f'type = "machine"\n{sensor}')
     text = text.replace('type = "torque_flange"\n', f'type = "torque_flange"\n{sensor}')
     text = text.replace("[testbed]\n", f'[testbed]\ncomputation_delay = "{delay}"\n')
+    text = text.replace("[control]\n", '[control]\ntorque_rate = "100 MN m/s"\n')  # the steps stay steps
     file = tmp_path / "bed.toml"
     file.write_text(text, encoding="utf-8")
     torque = Profile((0.0, 10 * H, 20 * H), (0.0, 800.0, -300.0), "steps")
@@ -69,7 +70,7 @@ def test_low_passes_and_computation_delay_are_those_of_both_plants(delay: str, r
     emitted, events = both(Project.read(file), Scenario("case", "", "", 60 * H, 3 * H, references))
     assert list(events.signals) == list(emitted.signals)
     lag = emitted.signals["flange1_torque_true"] - emitted.signals["flange1_torque"]
-    assert np.abs(lag).max() > 0.1, "the low pass is there"
+    assert np.abs(lag).max() > 1, "the low pass is there"
     for name, values in emitted.signals.items():
         assert largest_difference(emitted, events, name) < 1e-8 * (1 + np.abs(values).max()), name
 
