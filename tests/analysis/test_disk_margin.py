@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+import scipy.optimize
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from sampled_loops import MatrixFamily, radius, static
@@ -58,25 +59,35 @@ def test_a_perturbation_of_the_size_of_the_disk_reaches_instability(family):
     assert factor * L == pytest.approx(1.0, abs=1e-9)
 
 
+def worst_perturbation(M, rng) -> float:
+    """Return the largest spectral radius of ``U M`` over diagonal unitary ``U``: grid or random starts, refined."""
+    m = len(M)
+    if m <= 3:
+        grid = 2 * np.pi * np.arange(40) / 40
+        phases = np.stack(np.meshgrid(*[grid] * (m - 1)), -1).reshape(-1, m - 1)
+    else:
+        phases = 2 * np.pi * rng.random((500, m - 1))
+
+    def radii(phases):
+        turned = np.exp(1j * np.insert(phases, 0, 0.0, axis=-1))
+        return abs(np.linalg.eigvals(M * turned[..., :, None])).max(-1)
+
+    starts = phases[np.argsort(-radii(phases))[:5]]
+    options = {"xatol": 1e-6, "fatol": 1e-10}
+    return max(
+        -scipy.optimize.minimize(lambda p: -radii(p), p, method="Nelder-Mead", options=options).fun for p in starts
+    )
+
+
 @settings(max_examples=20)
 @given(st.integers(2, 8), st.integers(0, 2**32 - 1))
 def test_structured_bound_lies_between_perturbations_and_the_norm(m, seed):
-    """A power iteration finds perturbations, whose size the bound may not undercut; up to three it is exact."""
+    """No perturbation is worse than the bound, and up to three machines one is as bad."""
     rng = np.random.default_rng(seed)
     M = rng.normal(size=(m, m)) + 1j * rng.normal(size=(m, m))
     bound = structured_singular_value(M)
     assert bound <= np.linalg.norm(M, 2) * (1 + 1e-9)
-    best = 0.0
-    for _ in range(12):
-        phases = np.exp(2j * np.pi * rng.random(m))
-        for _ in range(40):
-            values, left = np.linalg.eig(M @ np.diag(phases))
-            k = int(np.argmax(abs(values)))
-            values_h, right = np.linalg.eig((M @ np.diag(phases)).conj().T)
-            j = int(np.argmin(abs(values_h - values[k].conj())))
-            turned = phases * (left[:, k] * right[:, j].conj())
-            phases = np.exp(-1j * np.angle(turned)) * np.exp(1j * np.angle(phases)) * np.exp(1j * np.angle(values[k]))
-            best = max(best, float(abs(values).max()))
-    assert best <= bound * (1 + 1e-6)
+    worst = worst_perturbation(M, rng)
+    assert worst <= bound * (1 + 1e-6)
     if m <= 3:
-        assert best >= 0.9 * bound
+        assert worst >= bound * (1 - 1e-4)
