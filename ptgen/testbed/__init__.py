@@ -1,5 +1,6 @@
 """Test bed and scenario files: read, checked, in SI units."""
 
+from ptgen.testbed.governor_settings import GovernorKind, GovernorSettings
 from ptgen.testbed.profile import Profile
 from ptgen.testbed.reading import load
 from ptgen.testbed.scenario import Scenario, load_scenario
@@ -8,6 +9,8 @@ from ptgen.testbed.testbed import Connection, ReductionSettings, Roles, Testbed,
 
 __all__ = [
     "Connection",
+    "GovernorKind",
+    "GovernorSettings",
     "Profile",
     "ReductionSettings",
     "Roles",

@@ -184,6 +184,8 @@ def _problem(model: type[Record], detail: Mapping[str, Any], path: tuple[object,
             return Problem(where, f"must be a table, got {shown(value)}", "write it as a table, { key = value }")
         case "string_type":
             return Problem(where, f"must be a text, got {shown(value)}", "put it into quotation marks")
+        case "int_type":
+            return Problem(where, f"must be a whole number, got {shown(value)}", "write it without a decimal point")
         case "tuple_type" | "list_type":
             return Problem(where, f"must be a list, got {shown(value)}", "put it into brackets, [ ... ]")
     return Problem(where, f"is not understood, {detail['msg']}", "compare it with `ptgen schema`")

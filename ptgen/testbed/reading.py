@@ -12,6 +12,7 @@ from ptgen.components.component import Component
 from ptgen.errors import Problem, TestbedError, nearest
 from ptgen.testbed import feedback, loops, roles, topology
 from ptgen.testbed.chains import Chains, follow, split
+from ptgen.testbed.governor_settings import GovernorSettings, check_governor
 from ptgen.testbed.names import check_component_names, check_mangled, check_name
 from ptgen.testbed.problems import dotted, shown, validated
 from ptgen.testbed.schema import BedSection, ControlSection
@@ -25,7 +26,7 @@ _SECTIONS = {
     "components": 'add a table such as [components.M1] with type = "machine"',
     "control": 'add [control] with torque = { M1 = "flange1" } and speed = ["M2"]',
 }
-_OPTIONAL = ("reduction",)
+_OPTIONAL = ("reduction", "governor")
 
 
 def load(path: str | PathLike[str]) -> Testbed:
@@ -55,9 +56,14 @@ def load(path: str | PathLike[str]) -> Testbed:
     problems += found
     reduction, found = validated(ReductionSettings, tables.get("reduction", {}), "reduction")
     problems += found
+    governor, found = validated(GovernorSettings, tables.get("governor", {}), "governor")
+    problems += found
     described = tables.get("components", {})
     types, components, found = _components(described)
     problems += found
+    problems += check_governor(
+        _entry(tables, "governor", "kind"), _entry(tables, "control", "speed_control"), components
+    )
     unreadable = frozenset(described) - frozenset(types) if isinstance(described, dict) else frozenset()
 
     # What follows is judged on the file itself, so that a wrong bandwidth does not hide a wrong connection.
@@ -74,7 +80,7 @@ def load(path: str | PathLike[str]) -> Testbed:
         known = roles.Bed(types, components, chains.links if chains else None, unreadable)
         problems += _roles(tables, known)
         problems += _reduced(tables, described)
-    if problems or bed is None or control is None or reduction is None or chains is None:
+    if problems or not (bed and control and reduction and governor and chains):
         raise TestbedError(problems, document.file)
     return Testbed(
         name=bed.name,
@@ -90,6 +96,7 @@ def load(path: str | PathLike[str]) -> Testbed:
         reduction=reduction,
         assumed=bed.assumed,
         computation_delay=bed.computation_delay,
+        governor=governor,
     )
 
 

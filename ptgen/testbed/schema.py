@@ -10,6 +10,7 @@ from pydantic import Field
 
 from ptgen.components.catalogue import CATALOGUE
 from ptgen.components.component import Quantity, Record, Text
+from ptgen.testbed.governor_settings import GovernorSettings
 from ptgen.testbed.names import PATTERN
 from ptgen.testbed.problems import quantity_field
 from ptgen.testbed.testbed import ReductionSettings, Tuning
@@ -57,6 +58,7 @@ class BedFile(Record):
     """A table for each component, such as [components.M1]; the name is a C identifier."""
     control: ControlSection
     reduction: ReductionSettings = ReductionSettings()
+    governor: GovernorSettings = GovernorSettings()
 
 
 def json_schema() -> dict[str, Any]:
@@ -65,20 +67,21 @@ def json_schema() -> dict[str, Any]:
     Examples
     --------
     >>> sorted(json_schema()["properties"])
-    ['components', 'control', 'reduction', 'testbed']
+    ['components', 'control', 'governor', 'reduction', 'testbed']
     """
     schema: dict[str, Any] = BedFile.model_json_schema()
     components = schema["properties"]["components"]
     components["patternProperties"] = {PATTERN: components.pop("additionalProperties")}
     components |= {"additionalProperties": False, "minProperties": 1}
-    schema["properties"]["reduction"].pop("default", None)
+    for section in ("reduction", "governor"):
+        schema["properties"][section].pop("default", None)
     _simplify(schema)
     return {"$schema": "https://json-schema.org/draft/2020-12/schema", **schema}
 
 
 def _simplify(schema: dict[str, Any]) -> None:
     """Write defaults of quantities with their unit, and leave out what a TOML file cannot hold."""
-    pending: list[type[Record]] = [*CATALOGUE.values(), BedSection, ControlSection, ReductionSettings]
+    pending: list[type[Record]] = [*CATALOGUE.values(), BedSection, ControlSection, ReductionSettings, GovernorSettings]
     seen: set[type[Record]] = set()
     while pending:
         record = pending.pop()

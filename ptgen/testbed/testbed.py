@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Annotated, Literal
 
 from pydantic import Field, field_validator
@@ -11,6 +11,7 @@ from pydantic import Field, field_validator
 from ptgen.components.component import Component, Quantity, Record
 from ptgen.elements import Friction, Parameter
 from ptgen.testbed.feedback import LossMap, SpeedControl, SpeedControlName
+from ptgen.testbed.governor_settings import GovernorSettings
 
 __all__ = ["Connection", "ReductionSettings", "Roles", "Structure", "Testbed", "Tuning"]
 
@@ -198,6 +199,8 @@ class Testbed:
         Keys of the file whose values are assumed rather than measured.
     computation_delay : float
         Time from the sampling of the sensors until the command that follows from them reaches the inverters (s).
+    governor : GovernorSettings
+        What keeps the references within what the machines can do.
     """
 
     __test__ = False  # the name begins with Test, but it is no test case
@@ -215,6 +218,7 @@ class Testbed:
     reduction: ReductionSettings
     assumed: tuple[str, ...] = ()
     computation_delay: float = 0.0
+    governor: GovernorSettings = field(default_factory=GovernorSettings)
 
     @property
     def machines(self) -> tuple[str, ...]:
