@@ -20,6 +20,7 @@ ORDER = (
     "testbed",
     "mechanism",
     "friction",
+    "shaping",
     "block",
     "plant",
     "control",
