@@ -25,6 +25,7 @@ ORDER = (
     "plant",
     "control",
     "analysis",
+    "governor",
     "project",
     "emit",
     "simulate",
