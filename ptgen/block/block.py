@@ -10,6 +10,8 @@ A block is a list of assignments of scalar expressions and of calls of named ker
 ``measure``
     outputs that follow from the states alone; run at the end of every step, and after initialisation.
 
+Besides its signals it has tables: constant arrays, the same for all instances.
+
 Statements run in order and overwrite what they assign, in every evaluator alike. In expressions an element of
 an array is the symbol ``name[i]`` or ``name[i,j]``, see `element`.
 """
@@ -20,7 +22,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Literal
 
+import numpy as np
 import sympy as sp
+from numpy.typing import ArrayLike, NDArray
 from sympy.logic.boolalg import Boolean
 
 __all__ = [
@@ -32,6 +36,7 @@ __all__ = [
     "Section",
     "Signal",
     "Statement",
+    "Table",
     "Tracked",
     "element",
     "parse_element",
@@ -87,6 +92,57 @@ class Signal:
         for length in self.shape:
             size *= length
         return size
+
+
+@dataclass(frozen=True)
+class Table:
+    """A constant array that kernels and expressions may read in every section.
+
+    Attributes
+    ----------
+    name : str
+        A C identifier.
+    unit : str
+        SI unit; empty for numbers and for arrays of mixed units.
+    description : str
+        One line.
+    values : tuple of float, or tuple of tuple of float
+        The entries, row by row; any array that NumPy understands is taken.
+    entries : tuple of str
+        Names of the entries of a vector, or of the columns of a matrix, where they have any.
+
+    Raises
+    ------
+    ValueError
+        If the array is empty, has another number of axes than one or two, or an entry is not finite.
+
+    Examples
+    --------
+    >>> Table("weights", "", "what each is worth", [1, 100]).values
+    (1.0, 100.0)
+    """
+
+    name: str
+    unit: str
+    description: str
+    values: tuple[float, ...] | tuple[tuple[float, ...], ...] | ArrayLike
+    entries: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        array = np.array(self.values, dtype=np.float64)
+        if array.ndim not in (1, 2) or not array.size or not np.isfinite(array).all():
+            raise ValueError(f"table {self.name}: give finite numbers in one or two axes, at least one of them")
+        rows = array.tolist()
+        object.__setattr__(self, "values", tuple(rows if array.ndim == 1 else map(tuple, rows)))
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """``(n,)`` or ``(n, m)``."""
+        return self.array().shape
+
+    def array(self) -> NDArray[np.float64]:
+        """Return the entries as an array."""
+        return np.array(self.values, dtype=np.float64)
 
 
 @dataclass(frozen=True)
@@ -174,6 +230,8 @@ class Block:
         What a step may have to tell though it went on.
     tracked : tuple of Tracked
         States that `prepare` depends on, and the inputs that they follow.
+    tables : tuple of Table
+        Constant arrays.
     """
 
     name: str
@@ -190,6 +248,7 @@ class Block:
     faults: tuple[Fault, ...] = ()
     alarms: tuple[Alarm, ...] = ()
     tracked: tuple[Tracked, ...] = ()
+    tables: tuple[Table, ...] = ()
     _index: dict[str, Signal] = field(default_factory=dict, init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
@@ -197,8 +256,14 @@ class Block:
             if signal.name in self._index:
                 raise ValueError(f"block {self.name}: the signal {signal.name} is declared twice")
             self._index[signal.name] = signal
+        used: set[str] = set()
         for section in ("prepare", "step", "measure"):
-            self._check_section(section)
+            used |= self._check_section(section)
+        names = [table.name for table in self.tables]
+        if twice := {name for name in names if names.count(name) > 1} | (set(names) & set(self._index)):
+            raise ValueError(f"block {self.name}: {sorted(twice)} declared twice")
+        if idle := set(names) - used:
+            raise ValueError(f"block {self.name}: the tables {sorted(idle)} are not used")
 
     def signals(self) -> Iterator[Signal]:
         """Yield every declared signal."""
@@ -223,6 +288,15 @@ class Block:
         """
         return self._index[name]
 
+    def table(self, name: str) -> Table | None:
+        """Return the table `name`, or None if there is none."""
+        return next((table for table in self.tables if table.name == name), None)
+
+    def shape(self, name: str) -> tuple[int, ...]:
+        """Return the shape of the signal or table `name`; that of a local scalar is empty."""
+        found = self.signal(name) or self.table(name)
+        return found.shape if found is not None else ()
+
     def statements(self, section: str) -> tuple[Statement, ...]:
         """Return the statements of `section`."""
         return {"prepare": self.prepare, "step": self.step, "measure": self.measure}[section]
@@ -238,9 +312,11 @@ class Block:
                     names[base] = None
         return tuple(names)
 
-    def _check_section(self, section: str) -> None:
-        """Check that every name is declared, or assigned before it is used."""
-        known = set(self._index)
+    def _check_section(self, section: str) -> set[str]:
+        """Check that every name is declared, or assigned before it is used; return the names that are used."""
+        tables = {table.name for table in self.tables}
+        known = set(self._index) | tables
+        read: set[str] = set()
         for statement in self.statements(section):
             if isinstance(statement, Assign):
                 used = {parse_element(str(symbol))[0] for symbol in statement.free_symbols}
@@ -252,7 +328,11 @@ class Block:
                 targets = {parse_element(name)[0] for name in statement.outputs}
             if missing := used - known:
                 raise ValueError(f"block {self.name}, {section}: {sorted(missing)} used before assignment")
+            if constant := targets & tables:
+                raise ValueError(f"block {self.name}, {section}: the tables {sorted(constant)} are constant")
             known |= targets
+            read |= used
+        return read
 
 
 def element(name: str, *indices: int) -> sp.Symbol:

@@ -13,6 +13,7 @@ import casadi as ca
 
 from ptgen.block.block import Assign, Block, Call, Signal, parse_element
 from ptgen.block.casadi_friction import backlash_step, friction_step, is_closed_form
+from ptgen.block.casadi_governor import optimal_governor, sequential_governor
 from ptgen.block.expressions import Arithmetic, evaluate
 from ptgen.block.kernels import TAYLOR_DEGREE, rounding_unit
 
@@ -72,7 +73,7 @@ class CasadiBlock:
 
     def _prepare(self) -> Any:
         parameters = ca.MX.sym("parameters", sum(s.size for s in self.block.parameters))
-        table = _unstack(parameters, self.block.parameters)
+        table = self._tables(ca.MX) | _unstack(parameters, self.block.parameters)
         table |= {item.state: ca.MX(self.block.declared(item.state).value) for item in self.block.tracked}
         self._prepare_again(table)
         derived = _stack(table, self.block.derived, ca.MX)
@@ -110,11 +111,14 @@ class CasadiBlock:
         outputs = _stack(table, self.block.outputs, self._kind)
         return ca.Function(f"{self.block.name}_measure", list(symbols.values()), [outputs], list(symbols), ["outputs"])
 
+    def _tables(self, kind: Any) -> dict[str, Any]:
+        return {table.name: kind(ca.DM(table.array())) for table in self.block.tables}
+
     def _symbols(self, *kinds: str) -> dict[str, Any]:
         return {kind: self._kind.sym(kind, sum(s.size for s in getattr(self.block, kind))) for kind in kinds}
 
     def _table(self, symbols: Mapping[str, Any]) -> dict[str, Any]:
-        table: dict[str, Any] = {}
+        table = self._tables(self._kind)
         for kind, vector in symbols.items():
             table |= _unstack(vector, getattr(self.block, kind))
         table |= {s.name: self._kind.zeros(*_matrix_shape(s)) for s in self.block.arrays + self.block.outputs}
@@ -142,6 +146,8 @@ def _kind(block: Block) -> Any:
     if block.tracked:
         return ca.MX
     for statement in block.step:
+        if isinstance(statement, Call) and statement.kernel == "optimal_governor":
+            return ca.MX
         if isinstance(statement, Call) and statement.kernel == "friction_step":
             n = block.declared(statement.inputs[1]).shape[0]
             if not is_closed_form(n, statement.numbers[0]):
@@ -281,4 +287,6 @@ CASADI_KERNELS: dict[str, Any] = {
     "lookup": _lookup,
     "friction_step": friction_step,
     "backlash_step": backlash_step,
+    "sequential_governor": sequential_governor,
+    "optimal_governor": optimal_governor,
 }

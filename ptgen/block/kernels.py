@@ -15,6 +15,8 @@ from numpy.typing import NDArray
 from ptgen.friction.backlash import backlash_step
 from ptgen.friction.box import ROUNDING, is_deficient
 from ptgen.friction.step import friction_step
+from ptgen.shaping.optimal import optimal_governor
+from ptgen.shaping.sequential import sequential_governor
 
 __all__ = [
     "KERNELS",
@@ -204,4 +206,6 @@ KERNELS: dict[str, Callable[..., Any]] = {
     "lookup": lookup,
     "friction_step": friction_step,
     "backlash_step": backlash_step,
+    "sequential_governor": sequential_governor,
+    "optimal_governor": optimal_governor,
 }

@@ -45,6 +45,7 @@ class NumpyBlock:
 
     def __init__(self, block: Block) -> None:
         self.block = block
+        self._tables = {table.name: table.array() for table in block.tables}
 
     def defaults(self) -> Values:
         """Return the default parameters."""
@@ -52,7 +53,7 @@ class NumpyBlock:
 
     def prepare(self, parameters: Mapping[str, Array], states: Mapping[str, Array] | None = None) -> Values:
         """Return what follows from the parameters, and from tracked quantities; these are initial without `states`."""
-        table = dict(parameters)
+        table = {**self._tables, **parameters}
         given = self.initial() if states is None else states
         tracked = {item.state: given[item.state] for item in self.block.tracked}
         batch = np.broadcast_shapes(self._batch(parameters), self._batch(tracked))
@@ -70,7 +71,7 @@ class NumpyBlock:
     ) -> tuple[Values, Values]:
         """Return the states and outputs after one step; the arguments are not changed."""
         batch = self._batch(inputs) or self._batch(states)
-        table: Values = {**parameters, **derived, **inputs}
+        table: Values = {**self._tables, **parameters, **derived, **inputs}
         table |= {name: np.broadcast_to(value, batch + self._shape(name)).copy() for name, value in states.items()}
         table |= {item.state: np.asarray(inputs[item.input], dtype=float) for item in self.block.tracked}
         if self.block.tracked:
@@ -85,7 +86,7 @@ class NumpyBlock:
     def measure(self, parameters: Mapping[str, Array], derived: Mapping[str, Array], states: Values) -> Values:
         """Return the outputs that follow from the states."""
         batch = self._batch(states)
-        table: Values = {**parameters, **derived, **states}
+        table: Values = {**self._tables, **parameters, **derived, **states}
         if self.block.tracked:
             table |= self.prepare(parameters, states)
         table |= {signal.name: np.zeros(batch + signal.shape) for signal in self.block.arrays + self.block.outputs}

@@ -9,6 +9,7 @@ from ptgen.block.kernels import TAYLOR_DEGREE
 from ptgen.emit.c_block import CBlock
 from ptgen.emit.c_expressions import Precision, literal
 from ptgen.emit.friction_source import uses_friction
+from ptgen.emit.governor_source import uses_governor
 from ptgen.emit.templates import render
 from ptgen.friction.box import DEFICIENT, ROUNDING
 
@@ -61,10 +62,12 @@ def block_files(
     common = {**context, "max_order": max(orders, default=1), "failure_texts": _FAILURE_TEXTS}
     files = {f"{prefix}_support.{suffix}": render(f"support.{suffix}.jinja", **common) for suffix in ("h", "c")}
     for block in blocks:
-        friction = uses_friction(block)
+        friction, governor = uses_friction(block), uses_governor(block, precision)
         for suffix in ("h", "c"):
             if friction is not None:
                 files[f"{prefix}_friction.{suffix}"] = render(f"friction.{suffix}.jinja", **common, **friction)
+            if governor is not None:
+                files[f"{prefix}_governor.{suffix}"] = render(f"governor.{suffix}.jinja", **common, **governor)
             sets = {
                 name: {parameter: literal(value, precision) for parameter, value in values.items()}
                 for name, values in (variants or {}).get(block.name, {}).items()

@@ -9,11 +9,12 @@ from dataclasses import dataclass
 import sympy as sp
 from sympy.logic.boolalg import Boolean
 
-from ptgen.block.block import Assign, Block, Call, Section, Signal, Statement, parse_element
+from ptgen.block.block import Assign, Block, Call, Section, Signal, Statement, Table, parse_element
 from ptgen.emit.c_expressions import CExpressions, Precision, literal
 from ptgen.emit.friction_source import uses_friction
+from ptgen.emit.governor_source import GOVERNORS, uses_governor
 
-__all__ = ["BAD_INPUT", "CBlock", "CField", "CInput", "padded"]
+__all__ = ["BAD_INPUT", "CBlock", "CField", "CInput", "CTable", "padded"]
 
 _FAILURES = {
     "cholesky_solve": "mass_matrix",
@@ -47,6 +48,16 @@ class CInput:
     status: int
     refused: str
     said: str
+
+
+@dataclass(frozen=True)
+class CTable:
+    """A constant array: its declaration, its comment, and the lines of its initialiser, one column after the other."""
+
+    name: str
+    dimensions: str
+    comment: list[str]
+    lines: list[str]
 
 
 def _wrapped(line: str) -> list[str]:
@@ -97,6 +108,7 @@ class CBlock:
         self.faults = block.faults
         self.alarms = block.alarms
         self.tracked = block.tracked
+        self.tables = [self._table(table) for table in block.tables]
         self.has_measure = bool(block.measure)
 
     # -- declarations
@@ -108,10 +120,28 @@ class CBlock:
             unit += ":"
         return CField(signal.name, self._dimensions(signal.shape), unit, value)
 
+    def _table(self, table: Table) -> CTable:
+        comment = f"{table.description} ({table.unit})" if table.unit else table.description
+        if table.entries:
+            comment += ": " + ", ".join(table.entries)
+        array = table.array()
+        columns = [array] if array.ndim == 1 else array.T
+        lines: list[str] = []
+        for column in columns:
+            numbers = ", ".join(literal(value, self.precision) for value in column)
+            lines += _wrapped(f"{{ {numbers} }}," if array.ndim == 2 else f"{numbers},")
+        dimensions = self._dimensions(table.shape)
+        return CTable(table.name, dimensions, textwrap.wrap(comment, _WIDTH), lines)
+
     @property
     def has_friction(self) -> bool:
         """Whether the block solves for friction or contact torques."""
         return uses_friction(self.block) is not None
+
+    @property
+    def has_governor(self) -> bool:
+        """Whether the block shapes references."""
+        return uses_governor(self.block, self.precision) is not None
 
     def entry_comments(self, name: str) -> list[str]:
         """Return the meaning of each entry of an array, for the header."""
@@ -271,6 +301,8 @@ class CBlock:
             if name not in call.inputs or not self._is_array(name):
                 arguments.append(self._argument(name, address=True))
         numbers = [*self._sizes(call), *(str(number) for number in call.numbers)]
+        if call.kernel in GOVERNORS:  # their code is made for these numbers
+            numbers = []
         text = f"{self.prefix}_{call.kernel}({', '.join([*numbers, *arguments])})"
         if call.kernel in _FAILURES:
             lines += [f"if (!{text}) {{", f"    return {self.name}_{_FAILURES[call.kernel]};", "}"]
@@ -299,8 +331,7 @@ class CBlock:
         return []
 
     def _shape(self, name: str) -> tuple[int, ...]:
-        signal = self.block.signal(name)
-        return signal.shape if signal is not None else ()
+        return self.block.shape(name)
 
     def _is_array(self, name: str) -> bool:
         return bool(self._shape(name))

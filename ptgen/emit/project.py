@@ -10,6 +10,7 @@ from ptgen.emit.c_block import CBlock
 from ptgen.emit.c_expressions import Precision, literal
 from ptgen.emit.casadi_files import casadi_files
 from ptgen.emit.friction_source import uses_friction
+from ptgen.emit.governor_source import uses_governor
 from ptgen.emit.templates import render
 from ptgen.files import write_files
 from ptgen.project import Project
@@ -87,6 +88,7 @@ def project_files(project: Project, precision: Precision = "double") -> dict[str
         "commands": [signal.name for signal in plant.inputs if signal.name not in (*actuations, *ratios)],
         "signals": recorded_signals(project),
         "friction": uses_friction(plant) is not None,
+        "governor": uses_governor(controller, precision) is not None,
         "controller": CBlock(controller, prefix, precision),
         "law": {name: str(text) for name, text in project.design.decoupling.law_expressions().items()},
     }

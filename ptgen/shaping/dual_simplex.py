@@ -65,7 +65,7 @@ def solve_program(
     active = _Active(np.eye(k), np.zeros(k), list(range(k)))
     iterations = 0
     while True:
-        entering = _most_violated(v - A @ s, A, lower, upper, scale, s)
+        entering = _most_violated(v, A, lower, upper, scale, s)
         if entering is None:
             return Outcome(_vertex(active), iterations, solved=True, infeasible=False)
         if iterations == most_iterations:
@@ -87,10 +87,11 @@ def solve_program(
 
 
 def _most_violated(
-    values: Array, A: Array, lower: Array, upper: Array, scale: Array, s: Array
+    v: Array, A: Array, lower: Array, upper: Array, scale: Array, s: Array
 ) -> tuple[Array, float, int] | None:
     """Return normal, side and bound of the most violated constraint ``normal . s >= side``; None if all hold."""
     k = len(s)
+    values = v - A @ s
     above, below = (values - upper) / scale, (lower - values) / scale
     violations = np.concatenate([-s, s - 1.0, above, below])
     worst = int(np.argmax(violations))
@@ -105,8 +106,8 @@ def _most_violated(
     if not size > 0.0:
         return np.zeros(k), 1.0, -1
     normal = sign * A[row] / size
-    excess = values[row] - upper[row] if sign > 0.0 else lower[row] - values[row]
-    return normal, float(normal @ s + excess / size), -1
+    side = v[row] - upper[row] if sign > 0.0 else lower[row] - v[row]
+    return normal, float(side / size), -1
 
 
 def _leaving(price: Array, rates: Array) -> int:

@@ -19,9 +19,12 @@ from numpy.typing import NDArray
 from ptgen.shaping.dual_simplex import solve_program
 from ptgen.shaping.ties import leaders
 
-__all__ = ["LIMITED", "NOTHING_BINDS", "NOT_SOLVED", "SLACK", "optimal_governor"]
+__all__ = ["LIMITED", "MARGIN", "NOTHING_BINDS", "NOT_SOLVED", "SLACK", "optimal_governor"]
 
 Array = NDArray[np.float64]
+
+MARGIN = 1e-9
+"""By which share of the limits more than what lacks they are widened: a program with room is safe from rounding."""
 
 NOTHING_BINDS = 0.0
 """Status: the wanted references keep all limits."""
@@ -122,18 +125,17 @@ def _one(
     if not all(np.isfinite(array).all() for array in numbers):
         return refuge, np.zeros(m), 0.0, NOT_SOLVED
     change = wanted - before
-    machine = np.concatenate([np.arange(m), np.repeat(np.arange(m), counts)])
-    N = sum(counts)
-    command = free + gain @ change
-    v = command[machine] + np.concatenate([np.zeros(m), rows_x[:N] @ deviation])
-    slope = (gain[machine] + np.concatenate([np.zeros((m, m)), rows_r[:N]])) * change
+    machine = np.repeat(np.arange(m), counts)
+    starts = np.cumsum([0, *counts[:-1]])  # the row of the present step comes first
+    v = (free + gain @ change)[machine] + rows_x[: len(machine)] @ deviation
+    v = np.insert(v, starts, free + gain @ change)
+    slope = np.insert((gain[machine] + rows_r[: len(machine)]) * change, starts, gain * change, axis=0)
+    machine = np.insert(machine, starts, np.arange(m))
     if not (np.isfinite(v).all() and np.isfinite(slope).all()):
         return refuge, np.zeros(m), 0.0, NOT_SOLVED
     leader = leaders(wanted, before, float(tie), group)
-    unknowns = sorted(set(leader))
-    collected = np.zeros((m, len(unknowns)))
-    for i, first in enumerate(leader):
-        collected[i, unknowns.index(first)] = 1.0
+    collected = np.zeros((m, m))  # those that are led have no share of their own
+    collected[np.arange(m), leader] = 1.0
     span = 0.5 * (most - least)
     scale = np.where(span > 0.0, span, 1.0)[machine]
     A, w = slope @ collected, weight @ collected
@@ -141,8 +143,10 @@ def _one(
     iterations, slack = outcome.iterations, np.zeros(m)
     if outcome.infeasible:
         slack = _lacking(v - slope.sum(axis=1), machine, least, most)
-        lower, upper = (least - slack)[machine], (most + slack)[machine]
-        outcome = solve_program(v, A, lower, upper, scale, w, most_iterations - iterations)
+        span = np.where(span > 0.0, span, 1.0) + slack
+        wider = slack + MARGIN * span
+        lower, upper = (least - wider)[machine], (most + wider)[machine]
+        outcome = solve_program(v, A, lower, upper, span[machine], w, most_iterations - iterations)
         iterations += outcome.iterations
     held = collected @ outcome.s
     if not (outcome.solved and np.isfinite(held).all()):

@@ -14,6 +14,7 @@ from ptgen.block.kernels import KERNELS, delay, discretise, guard, lasting, look
 from ptgen.emit.block_files import common_context
 from ptgen.emit.c_block import CBlock
 from ptgen.emit.friction_source import friction_context
+from ptgen.emit.governor_source import governor_context
 from ptgen.emit.templates import render
 from ptgen.project import Project
 
@@ -21,7 +22,8 @@ from ptgen.project import Project
 def test_every_kernel_has_all_implementations(projects: dict[str, Project]) -> None:
     assert set(KERNELS) == set(CASADI_KERNELS)
     context = {**common_context("x", "", "", "double"), "max_order": 1, **friction_context(elements=2, contacts=1)}
-    headers = "".join(render(f"{part}.h.jinja", **context) for part in ("support", "friction"))
+    context |= governor_context(1, "double", order=(0, 0), states=1, table_rows=1, numbers=(1, 8))
+    headers = "".join(render(f"{part}.h.jinja", **context) for part in ("support", "friction", "governor"))
     for name in KERNELS:
         assert f"x_{name}(" in headers, name
 
