@@ -89,6 +89,7 @@ const all_wheel_drive_controller_params all_wheel_drive_controller_defaults = {
     .M3_speed_ref_rate = 960.0,
     .M4_speed_ref_rate = 960.0,
     .M5_speed_ref_rate = 960.0,
+    .centre_input_torque_ref_rate = 277950.0,
     .M2_speed_gain = 50.0,
     .M2_speed_integral_gain = 250.0,
     .M3_speed_gain = 50.0,
@@ -104,7 +105,6 @@ const all_wheel_drive_controller_params all_wheel_drive_controller_defaults = {
     .M1_inertia_estimate = 0.52,
     .M1_feedforward = 1.0,
     .M1_torque_gain = 0.0,
-    .centre_input_torque_ref_rate = 277950.0,
     .M1_model_stiffness = 4463.69,
     .M1_model_damping = 96.356,
     .M1_torque_model = 1.0,
@@ -196,6 +196,7 @@ const all_wheel_drive_controller_params all_wheel_drive_controller_conventional 
     .M3_speed_ref_rate = 960.0,
     .M4_speed_ref_rate = 960.0,
     .M5_speed_ref_rate = 960.0,
+    .centre_input_torque_ref_rate = 277950.0,
     .M2_speed_gain = 50.0,
     .M2_speed_integral_gain = 250.0,
     .M3_speed_gain = 50.0,
@@ -211,7 +212,6 @@ const all_wheel_drive_controller_params all_wheel_drive_controller_conventional 
     .M1_inertia_estimate = 0.52,
     .M1_feedforward = 1.0,
     .M1_torque_gain = 0.0,
-    .centre_input_torque_ref_rate = 277950.0,
     .M1_model_stiffness = 4463.69,
     .M1_model_damping = 96.356,
     .M1_torque_model = 0.0,
@@ -311,6 +311,7 @@ static const struct {
     { "the parameter M3_speed_ref_rate is outside its range", offsetof(all_wheel_drive_controller_params, M3_speed_ref_rate), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M4_speed_ref_rate is outside its range", offsetof(all_wheel_drive_controller_params, M4_speed_ref_rate), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M5_speed_ref_rate is outside its range", offsetof(all_wheel_drive_controller_params, M5_speed_ref_rate), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter centre_input_torque_ref_rate is outside its range", offsetof(all_wheel_drive_controller_params, centre_input_torque_ref_rate), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M2_speed_gain is outside its range", offsetof(all_wheel_drive_controller_params, M2_speed_gain), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M2_speed_integral_gain is outside its range", offsetof(all_wheel_drive_controller_params, M2_speed_integral_gain), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M3_speed_gain is outside its range", offsetof(all_wheel_drive_controller_params, M3_speed_gain), 0.0, DBL_MAX, 1, 0 },
@@ -326,7 +327,6 @@ static const struct {
     { "the parameter M1_inertia_estimate is outside its range", offsetof(all_wheel_drive_controller_params, M1_inertia_estimate), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M1_feedforward is outside its range", offsetof(all_wheel_drive_controller_params, M1_feedforward), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M1_torque_gain is outside its range", offsetof(all_wheel_drive_controller_params, M1_torque_gain), -1.0, DBL_MAX, 1, 0 },
-    { "the parameter centre_input_torque_ref_rate is outside its range", offsetof(all_wheel_drive_controller_params, centre_input_torque_ref_rate), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M1_model_stiffness is outside its range", offsetof(all_wheel_drive_controller_params, M1_model_stiffness), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M1_model_damping is outside its range", offsetof(all_wheel_drive_controller_params, M1_model_damping), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M1_torque_model is outside its range", offsetof(all_wheel_drive_controller_params, M1_torque_model), 0.0, 1.0, 0, 0 },
@@ -524,6 +524,7 @@ all_wheel_drive_controller_status all_wheel_drive_controller_update(all_wheel_dr
     s->M3_speed_ref_step = p->M3_speed_ref_rate * p->sample_time;
     s->M4_speed_ref_step = p->M4_speed_ref_rate * p->sample_time;
     s->M5_speed_ref_step = p->M5_speed_ref_rate * p->sample_time;
+    s->centre_input_torque_ref_step = p->centre_input_torque_ref_rate * p->sample_time;
     s->M2_speed_growth = p->M2_speed_integral_gain * p->sample_time;
     s->M2_speed_conditioning = p->M2_speed_integral_gain * p->sample_time / p->M2_speed_gain;
     s->M3_speed_growth = p->M3_speed_integral_gain * p->sample_time;
@@ -536,7 +537,6 @@ all_wheel_drive_controller_status all_wheel_drive_controller_update(all_wheel_dr
     s->M1_unread_M3 = p->M1_sensor_inertia_M3 / p->M3_inertia;
     s->M1_unread_M4 = p->M1_sensor_inertia_M4 / p->M4_inertia;
     s->M1_unread_M5 = p->M1_sensor_inertia_M5 / p->M5_inertia;
-    s->centre_input_torque_ref_step = p->centre_input_torque_ref_rate * p->sample_time;
     s->M1_model_pull = p->M1_model_stiffness * p->sample_time / p->M1_inertia_estimate;
     s->M1_model_drag = p->M1_model_damping * p->sample_time / p->M1_inertia_estimate;
     s->M1_with_M2 = (0.25) * p->M1_inertia_estimate * p->centre_ratio * p->front_ratio / p->M2_inertia;
@@ -1058,6 +1058,17 @@ all_wheel_drive_controller_status all_wheel_drive_controller_step(all_wheel_driv
     const all_wheel_drive_real M5_speed_ref_before = s->M5_speed_ref_limited;
     s->M5_speed_ref_limited = M5_speed_ref_before + all_wheel_drive_max(-s->M5_speed_ref_step,
         all_wheel_drive_min(s->M5_speed_ref_step, -M5_speed_ref_before + s->M5_speed_ref_held));
+    /* testing torque while nothing accelerates (5.95), (5.96) */
+    const all_wheel_drive_real centre_input_torque_steady = s->flange1_torque_held;
+    if (s->running <= 0.5) {
+        /* the first step, and the first one after a fault, starts anew */
+        s->centre_input_torque_ref_limited = centre_input_torque_steady;
+    }
+    /* limit of the rate */
+    const all_wheel_drive_real centre_input_torque_ref_before = s->centre_input_torque_ref_limited;
+    s->centre_input_torque_ref_limited = centre_input_torque_ref_before +
+        all_wheel_drive_max(-s->centre_input_torque_ref_step, all_wheel_drive_min(s->centre_input_torque_ref_step,
+        -centre_input_torque_ref_before + s->centre_input_torque_ref_held));
     const all_wheel_drive_real M2_speed_error = -s->M2_speed_held + s->M2_speed_ref_limited;
     /* load torque compensation (5.52), (5.74) */
     const all_wheel_drive_real M2_compensation = -s->flange2_torque_held;
@@ -1140,19 +1151,10 @@ all_wheel_drive_controller_status all_wheel_drive_controller_step(all_wheel_driv
     const all_wheel_drive_real M5_net = M5_command - M5_compensation;
     /* testing torque from the sensors (5.95), (5.96), (5.98) */
     const all_wheel_drive_real centre_input_torque_estimate = s->M1_unread_M2 * M2_net + s->M1_unread_M3 * M3_net +
-        s->M1_unread_M4 * M4_net + s->M1_unread_M5 * M5_net + s->flange1_torque_held;
+        s->M1_unread_M4 * M4_net + s->M1_unread_M5 * M5_net + centre_input_torque_steady;
     if (s->running <= 0.5) {
         /* the first step, and the first one after a fault, starts anew */
-        s->centre_input_torque_ref_limited = centre_input_torque_estimate;
-    }
-    /* limit of the rate */
-    const all_wheel_drive_real centre_input_torque_ref_before = s->centre_input_torque_ref_limited;
-    s->centre_input_torque_ref_limited = centre_input_torque_ref_before +
-        all_wheel_drive_max(-s->centre_input_torque_ref_step, all_wheel_drive_min(s->centre_input_torque_ref_step,
-        -centre_input_torque_ref_before + s->centre_input_torque_ref_held));
-    if (s->running <= 0.5) {
-        /* the first step, and the first one after a fault, starts anew */
-        s->M1_model_torque = centre_input_torque_estimate;
+        s->M1_model_torque = centre_input_torque_steady;
     }
     /* torque model (5.57), (5.76) */
     const all_wheel_drive_real M1_model_before = s->M1_model_torque;

@@ -90,6 +90,7 @@ typedef struct {
     all_wheel_drive_real M3_speed_ref_rate; /* largest rate of M3_speed_ref (rad/s^2) */
     all_wheel_drive_real M4_speed_ref_rate; /* largest rate of M4_speed_ref (rad/s^2) */
     all_wheel_drive_real M5_speed_ref_rate; /* largest rate of M5_speed_ref (rad/s^2) */
+    all_wheel_drive_real centre_input_torque_ref_rate; /* largest rate of centre_input_torque_ref (N m/s) */
     all_wheel_drive_real M2_speed_gain; /* proportional gain of the speed of M2 (N m s/rad) */
     all_wheel_drive_real M2_speed_integral_gain; /* integral gain of the speed of M2 (N m/rad) */
     all_wheel_drive_real M3_speed_gain; /* proportional gain of the speed of M3 (N m s/rad) */
@@ -105,7 +106,6 @@ typedef struct {
     all_wheel_drive_real M1_inertia_estimate; /* inertia that M1 accelerates (5.78) (kg m^2) */
     all_wheel_drive_real M1_feedforward; /* share of the torque reference fed forward to M1 */
     all_wheel_drive_real M1_torque_gain; /* proportional gain of the torque control of M1, above -1 (5.115a) */
-    all_wheel_drive_real centre_input_torque_ref_rate; /* largest rate of centre_input_torque_ref (N m/s) */
     all_wheel_drive_real M1_model_stiffness; /* stiffness in the torque model of M1 (N m/rad) */
     all_wheel_drive_real M1_model_damping; /* damping in the torque model of M1 (N m s/rad) */
     all_wheel_drive_real M1_torque_model; /* switch of the torque model of M1, 0 to 1 */
@@ -267,11 +267,11 @@ typedef struct {
     all_wheel_drive_real M3_speed_ref_limited; /* M3_speed_ref behind its rate limiter (rad/s) */
     all_wheel_drive_real M4_speed_ref_limited; /* M4_speed_ref behind its rate limiter (rad/s) */
     all_wheel_drive_real M5_speed_ref_limited; /* M5_speed_ref behind its rate limiter (rad/s) */
+    all_wheel_drive_real centre_input_torque_ref_limited; /* centre_input_torque_ref behind its rate limiter (N m) */
     all_wheel_drive_real M2_speed_integral; /* integrator of the speed control of M2 (N m) */
     all_wheel_drive_real M3_speed_integral; /* integrator of the speed control of M3 (N m) */
     all_wheel_drive_real M4_speed_integral; /* integrator of the speed control of M4 (N m) */
     all_wheel_drive_real M5_speed_integral; /* integrator of the speed control of M5 (N m) */
-    all_wheel_drive_real centre_input_torque_ref_limited; /* centre_input_torque_ref behind its rate limiter (N m) */
     all_wheel_drive_real M1_model_torque; /* torque that the feedforward to M1 should give (N m) */
     all_wheel_drive_real M1_model_rate; /* rate of the torque model of M1 (N m/s) */
     all_wheel_drive_real M1_torque_integral; /* integrator of the torque control of M1 (N m) */
@@ -319,6 +319,7 @@ typedef struct {
     all_wheel_drive_real M3_speed_ref_step; /* largest change of M3_speed_ref in a step (rad/s) */
     all_wheel_drive_real M4_speed_ref_step; /* largest change of M4_speed_ref in a step (rad/s) */
     all_wheel_drive_real M5_speed_ref_step; /* largest change of M5_speed_ref in a step (rad/s) */
+    all_wheel_drive_real centre_input_torque_ref_step; /* largest change of centre_input_torque_ref in a step (N m) */
     all_wheel_drive_real M2_speed_growth; /* growth of the integrator per error (N m s/rad) */
     all_wheel_drive_real M2_speed_conditioning; /* growth per torque cut off */
     all_wheel_drive_real M3_speed_growth; /* growth of the integrator per error (N m s/rad) */
@@ -331,7 +332,6 @@ typedef struct {
     all_wheel_drive_real M1_unread_M3; /* the same per net torque */
     all_wheel_drive_real M1_unread_M4; /* the same per net torque */
     all_wheel_drive_real M1_unread_M5; /* the same per net torque */
-    all_wheel_drive_real centre_input_torque_ref_step; /* largest change of centre_input_torque_ref in a step (N m) */
     all_wheel_drive_real M1_model_pull; /* rate of the torque model per missing torque (1/s) */
     all_wheel_drive_real M1_model_drag; /* decay of that rate in a step */
     all_wheel_drive_real M1_with_M2; /* coefficient of the virtual input of M2 */
@@ -483,22 +483,22 @@ typedef enum {
     all_wheel_drive_controller_bad_M3_speed_ref_rate = 2076, /* outside its range */
     all_wheel_drive_controller_bad_M4_speed_ref_rate = 2077, /* outside its range */
     all_wheel_drive_controller_bad_M5_speed_ref_rate = 2078, /* outside its range */
-    all_wheel_drive_controller_bad_M2_speed_gain = 2079, /* outside its range */
-    all_wheel_drive_controller_bad_M2_speed_integral_gain = 2080, /* outside its range */
-    all_wheel_drive_controller_bad_M3_speed_gain = 2081, /* outside its range */
-    all_wheel_drive_controller_bad_M3_speed_integral_gain = 2082, /* outside its range */
-    all_wheel_drive_controller_bad_M4_speed_gain = 2083, /* outside its range */
-    all_wheel_drive_controller_bad_M4_speed_integral_gain = 2084, /* outside its range */
-    all_wheel_drive_controller_bad_M5_speed_gain = 2085, /* outside its range */
-    all_wheel_drive_controller_bad_M5_speed_integral_gain = 2086, /* outside its range */
-    all_wheel_drive_controller_bad_M1_sensor_inertia_M2 = 2087, /* outside its range */
-    all_wheel_drive_controller_bad_M1_sensor_inertia_M3 = 2088, /* outside its range */
-    all_wheel_drive_controller_bad_M1_sensor_inertia_M4 = 2089, /* outside its range */
-    all_wheel_drive_controller_bad_M1_sensor_inertia_M5 = 2090, /* outside its range */
-    all_wheel_drive_controller_bad_M1_inertia_estimate = 2091, /* outside its range */
-    all_wheel_drive_controller_bad_M1_feedforward = 2092, /* outside its range */
-    all_wheel_drive_controller_bad_M1_torque_gain = 2093, /* outside its range */
-    all_wheel_drive_controller_bad_centre_input_torque_ref_rate = 2094, /* outside its range */
+    all_wheel_drive_controller_bad_centre_input_torque_ref_rate = 2079, /* outside its range */
+    all_wheel_drive_controller_bad_M2_speed_gain = 2080, /* outside its range */
+    all_wheel_drive_controller_bad_M2_speed_integral_gain = 2081, /* outside its range */
+    all_wheel_drive_controller_bad_M3_speed_gain = 2082, /* outside its range */
+    all_wheel_drive_controller_bad_M3_speed_integral_gain = 2083, /* outside its range */
+    all_wheel_drive_controller_bad_M4_speed_gain = 2084, /* outside its range */
+    all_wheel_drive_controller_bad_M4_speed_integral_gain = 2085, /* outside its range */
+    all_wheel_drive_controller_bad_M5_speed_gain = 2086, /* outside its range */
+    all_wheel_drive_controller_bad_M5_speed_integral_gain = 2087, /* outside its range */
+    all_wheel_drive_controller_bad_M1_sensor_inertia_M2 = 2088, /* outside its range */
+    all_wheel_drive_controller_bad_M1_sensor_inertia_M3 = 2089, /* outside its range */
+    all_wheel_drive_controller_bad_M1_sensor_inertia_M4 = 2090, /* outside its range */
+    all_wheel_drive_controller_bad_M1_sensor_inertia_M5 = 2091, /* outside its range */
+    all_wheel_drive_controller_bad_M1_inertia_estimate = 2092, /* outside its range */
+    all_wheel_drive_controller_bad_M1_feedforward = 2093, /* outside its range */
+    all_wheel_drive_controller_bad_M1_torque_gain = 2094, /* outside its range */
     all_wheel_drive_controller_bad_M1_model_stiffness = 2095, /* outside its range */
     all_wheel_drive_controller_bad_M1_model_damping = 2096, /* outside its range */
     all_wheel_drive_controller_bad_M1_torque_model = 2097, /* outside its range */

@@ -47,13 +47,13 @@ const back_to_back_controller_params back_to_back_controller_defaults = {
     .M1_torque_ref_oscillation_limit = 1525.0,
     .M2_torque_ref_oscillation_limit = 1525.0,
     .M2_speed_ref_rate = 610.0,
+    .flange1_torque_ref_rate = 230184.0,
     .M2_speed_gain = 150.0,
     .M2_speed_integral_gain = 1125.0,
     .M1_sensor_inertia_M2 = 0.0,
     .M1_inertia_estimate = 5.0,
     .M1_feedforward = 1.0,
     .M1_torque_gain = 0.0,
-    .flange1_torque_ref_rate = 230184.0,
     .M1_model_stiffness = 28478.7,
     .M1_model_damping = 754.702,
     .M1_torque_model = 1.0,
@@ -100,13 +100,13 @@ const back_to_back_controller_params back_to_back_controller_conventional = {
     .M1_torque_ref_oscillation_limit = 1525.0,
     .M2_torque_ref_oscillation_limit = 1525.0,
     .M2_speed_ref_rate = 610.0,
+    .flange1_torque_ref_rate = 230184.0,
     .M2_speed_gain = 150.0,
     .M2_speed_integral_gain = 1125.0,
     .M1_sensor_inertia_M2 = 0.0,
     .M1_inertia_estimate = 5.0,
     .M1_feedforward = 1.0,
     .M1_torque_gain = 0.0,
-    .flange1_torque_ref_rate = 230184.0,
     .M1_model_stiffness = 28478.7,
     .M1_model_damping = 754.702,
     .M1_torque_model = 0.0,
@@ -161,13 +161,13 @@ static const struct {
     { "the parameter M1_torque_ref_oscillation_limit is outside its range", offsetof(back_to_back_controller_params, M1_torque_ref_oscillation_limit), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M2_torque_ref_oscillation_limit is outside its range", offsetof(back_to_back_controller_params, M2_torque_ref_oscillation_limit), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M2_speed_ref_rate is outside its range", offsetof(back_to_back_controller_params, M2_speed_ref_rate), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter flange1_torque_ref_rate is outside its range", offsetof(back_to_back_controller_params, flange1_torque_ref_rate), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M2_speed_gain is outside its range", offsetof(back_to_back_controller_params, M2_speed_gain), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M2_speed_integral_gain is outside its range", offsetof(back_to_back_controller_params, M2_speed_integral_gain), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M1_sensor_inertia_M2 is outside its range", offsetof(back_to_back_controller_params, M1_sensor_inertia_M2), -DBL_MAX, DBL_MAX, 0, 0 },
     { "the parameter M1_inertia_estimate is outside its range", offsetof(back_to_back_controller_params, M1_inertia_estimate), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M1_feedforward is outside its range", offsetof(back_to_back_controller_params, M1_feedforward), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M1_torque_gain is outside its range", offsetof(back_to_back_controller_params, M1_torque_gain), -1.0, DBL_MAX, 1, 0 },
-    { "the parameter flange1_torque_ref_rate is outside its range", offsetof(back_to_back_controller_params, flange1_torque_ref_rate), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M1_model_stiffness is outside its range", offsetof(back_to_back_controller_params, M1_model_stiffness), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M1_model_damping is outside its range", offsetof(back_to_back_controller_params, M1_model_damping), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M1_torque_model is outside its range", offsetof(back_to_back_controller_params, M1_torque_model), 0.0, 1.0, 0, 0 },
@@ -275,10 +275,10 @@ back_to_back_controller_status back_to_back_controller_update(back_to_back_contr
     s->forgotten_swings = p->oscillation_frequency * p->sample_time;
     s->mean_share = 6.2832 * p->oscillation_frequency * p->sample_time;
     s->M2_speed_ref_step = p->M2_speed_ref_rate * p->sample_time;
+    s->flange1_torque_ref_step = p->flange1_torque_ref_rate * p->sample_time;
     s->M2_speed_growth = p->M2_speed_integral_gain * p->sample_time;
     s->M2_speed_conditioning = p->M2_speed_integral_gain * p->sample_time / p->M2_speed_gain;
     s->M1_unread_M2 = p->M1_sensor_inertia_M2 / p->M2_inertia;
-    s->flange1_torque_ref_step = p->flange1_torque_ref_rate * p->sample_time;
     s->M1_model_pull = p->M1_model_stiffness * p->sample_time / p->M1_inertia_estimate;
     s->M1_model_drag = p->M1_model_damping * p->sample_time / p->M1_inertia_estimate;
     s->M1_with_M2 = p->M1_inertia_estimate / p->M2_inertia;
@@ -518,6 +518,16 @@ back_to_back_controller_status back_to_back_controller_step(back_to_back_control
     const back_to_back_real M2_speed_ref_before = s->M2_speed_ref_limited;
     s->M2_speed_ref_limited = M2_speed_ref_before + back_to_back_max(-s->M2_speed_ref_step,
         back_to_back_min(s->M2_speed_ref_step, -M2_speed_ref_before + s->M2_speed_ref_held));
+    /* testing torque while nothing accelerates (5.95), (5.96) */
+    const back_to_back_real flange1_torque_steady = s->flange1_torque_held;
+    if (s->running <= 0.5) {
+        /* the first step, and the first one after a fault, starts anew */
+        s->flange1_torque_ref_limited = flange1_torque_steady;
+    }
+    /* limit of the rate */
+    const back_to_back_real flange1_torque_ref_before = s->flange1_torque_ref_limited;
+    s->flange1_torque_ref_limited = flange1_torque_ref_before + back_to_back_max(-s->flange1_torque_ref_step,
+        back_to_back_min(s->flange1_torque_ref_step, -flange1_torque_ref_before + s->flange1_torque_ref_held));
     const back_to_back_real M2_speed_error = -s->M2_speed_held + s->M2_speed_ref_limited;
     /* load torque compensation (5.52), (5.74) */
     const back_to_back_real M2_compensation = -s->flange2_torque_held;
@@ -538,18 +548,10 @@ back_to_back_controller_status back_to_back_controller_step(back_to_back_control
     /* net torque on the rotor */
     const back_to_back_real M2_net = M2_command - M2_compensation;
     /* testing torque from the sensors (5.95), (5.96), (5.98) */
-    const back_to_back_real flange1_torque_estimate = s->M1_unread_M2 * M2_net + s->flange1_torque_held;
+    const back_to_back_real flange1_torque_estimate = s->M1_unread_M2 * M2_net + flange1_torque_steady;
     if (s->running <= 0.5) {
         /* the first step, and the first one after a fault, starts anew */
-        s->flange1_torque_ref_limited = flange1_torque_estimate;
-    }
-    /* limit of the rate */
-    const back_to_back_real flange1_torque_ref_before = s->flange1_torque_ref_limited;
-    s->flange1_torque_ref_limited = flange1_torque_ref_before + back_to_back_max(-s->flange1_torque_ref_step,
-        back_to_back_min(s->flange1_torque_ref_step, -flange1_torque_ref_before + s->flange1_torque_ref_held));
-    if (s->running <= 0.5) {
-        /* the first step, and the first one after a fault, starts anew */
-        s->M1_model_torque = flange1_torque_estimate;
+        s->M1_model_torque = flange1_torque_steady;
     }
     /* torque model (5.57), (5.76) */
     const back_to_back_real M1_model_before = s->M1_model_torque;

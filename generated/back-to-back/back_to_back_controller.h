@@ -48,13 +48,13 @@ typedef struct {
     back_to_back_real M1_torque_ref_oscillation_limit; /* amplitude with which M1_torque_ref may oscillate (N m) */
     back_to_back_real M2_torque_ref_oscillation_limit; /* amplitude with which M2_torque_ref may oscillate (N m) */
     back_to_back_real M2_speed_ref_rate; /* largest rate of M2_speed_ref (rad/s^2) */
+    back_to_back_real flange1_torque_ref_rate; /* largest rate of flange1_torque_ref (N m/s) */
     back_to_back_real M2_speed_gain; /* proportional gain of the speed of M2 (N m s/rad) */
     back_to_back_real M2_speed_integral_gain; /* integral gain of the speed of M2 (N m/rad) */
     back_to_back_real M1_sensor_inertia_M2; /* torque of M1 that its sensors miss, per acceleration of M2 (kg m^2) */
     back_to_back_real M1_inertia_estimate; /* inertia that M1 accelerates (5.78) (kg m^2) */
     back_to_back_real M1_feedforward; /* share of the torque reference fed forward to M1 */
     back_to_back_real M1_torque_gain; /* proportional gain of the torque control of M1, above -1 (5.115a) */
-    back_to_back_real flange1_torque_ref_rate; /* largest rate of flange1_torque_ref (N m/s) */
     back_to_back_real M1_model_stiffness; /* stiffness in the torque model of M1 (N m/rad) */
     back_to_back_real M1_model_damping; /* damping in the torque model of M1 (N m s/rad) */
     back_to_back_real M1_torque_model; /* switch of the torque model of M1, 0 to 1 */
@@ -138,8 +138,8 @@ typedef struct {
     back_to_back_real M2_torque_ref_side; /* side on which M2_torque_ref last was beyond the limit */
     back_to_back_real M2_torque_ref_swings; /* half swings of M2_torque_ref, forgotten in time */
     back_to_back_real M2_speed_ref_limited; /* M2_speed_ref behind its rate limiter (rad/s) */
-    back_to_back_real M2_speed_integral; /* integrator of the speed control of M2 (N m) */
     back_to_back_real flange1_torque_ref_limited; /* flange1_torque_ref behind its rate limiter (N m) */
+    back_to_back_real M2_speed_integral; /* integrator of the speed control of M2 (N m) */
     back_to_back_real M1_model_torque; /* torque that the feedforward to M1 should give (N m) */
     back_to_back_real M1_model_rate; /* rate of the torque model of M1 (N m/s) */
     back_to_back_real M1_torque_integral; /* integrator of the torque control of M1 (N m) */
@@ -163,10 +163,10 @@ typedef struct {
     back_to_back_real forgotten_swings; /* half swings that are forgotten per step */
     back_to_back_real mean_share; /* share of a step in the mean of a torque */
     back_to_back_real M2_speed_ref_step; /* largest change of M2_speed_ref in a step (rad/s) */
+    back_to_back_real flange1_torque_ref_step; /* largest change of flange1_torque_ref in a step (N m) */
     back_to_back_real M2_speed_growth; /* growth of the integrator per error (N m s/rad) */
     back_to_back_real M2_speed_conditioning; /* growth per torque cut off */
     back_to_back_real M1_unread_M2; /* the same per net torque */
-    back_to_back_real flange1_torque_ref_step; /* largest change of flange1_torque_ref in a step (N m) */
     back_to_back_real M1_model_pull; /* rate of the torque model per missing torque (1/s) */
     back_to_back_real M1_model_drag; /* decay of that rate in a step */
     back_to_back_real M1_with_M2; /* coefficient of the virtual input of M2 */
@@ -236,13 +236,13 @@ typedef enum {
     back_to_back_controller_bad_M1_torque_ref_oscillation_limit = 2034, /* outside its range */
     back_to_back_controller_bad_M2_torque_ref_oscillation_limit = 2035, /* outside its range */
     back_to_back_controller_bad_M2_speed_ref_rate = 2036, /* outside its range */
-    back_to_back_controller_bad_M2_speed_gain = 2037, /* outside its range */
-    back_to_back_controller_bad_M2_speed_integral_gain = 2038, /* outside its range */
-    back_to_back_controller_bad_M1_sensor_inertia_M2 = 2039, /* outside its range */
-    back_to_back_controller_bad_M1_inertia_estimate = 2040, /* outside its range */
-    back_to_back_controller_bad_M1_feedforward = 2041, /* outside its range */
-    back_to_back_controller_bad_M1_torque_gain = 2042, /* outside its range */
-    back_to_back_controller_bad_flange1_torque_ref_rate = 2043, /* outside its range */
+    back_to_back_controller_bad_flange1_torque_ref_rate = 2037, /* outside its range */
+    back_to_back_controller_bad_M2_speed_gain = 2038, /* outside its range */
+    back_to_back_controller_bad_M2_speed_integral_gain = 2039, /* outside its range */
+    back_to_back_controller_bad_M1_sensor_inertia_M2 = 2040, /* outside its range */
+    back_to_back_controller_bad_M1_inertia_estimate = 2041, /* outside its range */
+    back_to_back_controller_bad_M1_feedforward = 2042, /* outside its range */
+    back_to_back_controller_bad_M1_torque_gain = 2043, /* outside its range */
     back_to_back_controller_bad_M1_model_stiffness = 2044, /* outside its range */
     back_to_back_controller_bad_M1_model_damping = 2045, /* outside its range */
     back_to_back_controller_bad_M1_torque_model = 2046, /* outside its range */

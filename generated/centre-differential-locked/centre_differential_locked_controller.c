@@ -61,13 +61,14 @@ const centre_differential_locked_controller_params centre_differential_locked_co
     .M2_torque_ref_oscillation_limit = 600.0,
     .M3_torque_ref_oscillation_limit = 600.0,
     .M1_speed_ref_rate = 930.0,
+    .flange2_torque_ref_rate = 84823.7,
+    .flange3_torque_ref_rate = 72060.4,
     .M1_speed_gain = 15.0,
     .M1_speed_integral_gain = 56.25,
     .M2_sensor_inertia_M1 = 0.0,
     .M2_inertia_estimate = 1.9,
     .M2_feedforward = 1.0,
     .M2_torque_gain = 0.0,
-    .flange2_torque_ref_rate = 84823.7,
     .M2_model_stiffness = 9493.47,
     .M2_model_damping = 134.304,
     .M2_torque_model = 1.0,
@@ -75,7 +76,6 @@ const centre_differential_locked_controller_params centre_differential_locked_co
     .M3_inertia_estimate = 1.9,
     .M3_feedforward = 1.0,
     .M3_torque_gain = 0.0,
-    .flange3_torque_ref_rate = 72060.4,
     .M3_model_stiffness = 6851.48,
     .M3_model_damping = 114.096,
     .M3_torque_model = 1.0,
@@ -143,13 +143,14 @@ const centre_differential_locked_controller_params centre_differential_locked_co
     .M2_torque_ref_oscillation_limit = 600.0,
     .M3_torque_ref_oscillation_limit = 600.0,
     .M1_speed_ref_rate = 930.0,
+    .flange2_torque_ref_rate = 84823.7,
+    .flange3_torque_ref_rate = 72060.4,
     .M1_speed_gain = 15.0,
     .M1_speed_integral_gain = 56.25,
     .M2_sensor_inertia_M1 = 0.0,
     .M2_inertia_estimate = 1.9,
     .M2_feedforward = 1.0,
     .M2_torque_gain = 0.0,
-    .flange2_torque_ref_rate = 84823.7,
     .M2_model_stiffness = 9493.47,
     .M2_model_damping = 134.304,
     .M2_torque_model = 0.0,
@@ -157,7 +158,6 @@ const centre_differential_locked_controller_params centre_differential_locked_co
     .M3_inertia_estimate = 1.9,
     .M3_feedforward = 1.0,
     .M3_torque_gain = 0.0,
-    .flange3_torque_ref_rate = 72060.4,
     .M3_model_stiffness = 6851.48,
     .M3_model_damping = 114.096,
     .M3_torque_model = 0.0,
@@ -233,13 +233,14 @@ static const struct {
     { "the parameter M2_torque_ref_oscillation_limit is outside its range", offsetof(centre_differential_locked_controller_params, M2_torque_ref_oscillation_limit), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M3_torque_ref_oscillation_limit is outside its range", offsetof(centre_differential_locked_controller_params, M3_torque_ref_oscillation_limit), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M1_speed_ref_rate is outside its range", offsetof(centre_differential_locked_controller_params, M1_speed_ref_rate), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter flange2_torque_ref_rate is outside its range", offsetof(centre_differential_locked_controller_params, flange2_torque_ref_rate), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter flange3_torque_ref_rate is outside its range", offsetof(centre_differential_locked_controller_params, flange3_torque_ref_rate), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M1_speed_gain is outside its range", offsetof(centre_differential_locked_controller_params, M1_speed_gain), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M1_speed_integral_gain is outside its range", offsetof(centre_differential_locked_controller_params, M1_speed_integral_gain), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M2_sensor_inertia_M1 is outside its range", offsetof(centre_differential_locked_controller_params, M2_sensor_inertia_M1), -DBL_MAX, DBL_MAX, 0, 0 },
     { "the parameter M2_inertia_estimate is outside its range", offsetof(centre_differential_locked_controller_params, M2_inertia_estimate), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M2_feedforward is outside its range", offsetof(centre_differential_locked_controller_params, M2_feedforward), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M2_torque_gain is outside its range", offsetof(centre_differential_locked_controller_params, M2_torque_gain), -1.0, DBL_MAX, 1, 0 },
-    { "the parameter flange2_torque_ref_rate is outside its range", offsetof(centre_differential_locked_controller_params, flange2_torque_ref_rate), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M2_model_stiffness is outside its range", offsetof(centre_differential_locked_controller_params, M2_model_stiffness), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M2_model_damping is outside its range", offsetof(centre_differential_locked_controller_params, M2_model_damping), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M2_torque_model is outside its range", offsetof(centre_differential_locked_controller_params, M2_torque_model), 0.0, 1.0, 0, 0 },
@@ -247,7 +248,6 @@ static const struct {
     { "the parameter M3_inertia_estimate is outside its range", offsetof(centre_differential_locked_controller_params, M3_inertia_estimate), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M3_feedforward is outside its range", offsetof(centre_differential_locked_controller_params, M3_feedforward), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M3_torque_gain is outside its range", offsetof(centre_differential_locked_controller_params, M3_torque_gain), -1.0, DBL_MAX, 1, 0 },
-    { "the parameter flange3_torque_ref_rate is outside its range", offsetof(centre_differential_locked_controller_params, flange3_torque_ref_rate), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M3_model_stiffness is outside its range", offsetof(centre_differential_locked_controller_params, M3_model_stiffness), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M3_model_damping is outside its range", offsetof(centre_differential_locked_controller_params, M3_model_damping), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M3_torque_model is outside its range", offsetof(centre_differential_locked_controller_params, M3_torque_model), 0.0, 1.0, 0, 0 },
@@ -390,14 +390,14 @@ centre_differential_locked_controller_status centre_differential_locked_controll
     s->forgotten_swings = p->oscillation_frequency * p->sample_time;
     s->mean_share = 6.2832 * p->oscillation_frequency * p->sample_time;
     s->M1_speed_ref_step = p->M1_speed_ref_rate * p->sample_time;
+    s->flange2_torque_ref_step = p->flange2_torque_ref_rate * p->sample_time;
+    s->flange3_torque_ref_step = p->flange3_torque_ref_rate * p->sample_time;
     s->M1_speed_growth = p->M1_speed_integral_gain * p->sample_time;
     s->M1_speed_conditioning = p->M1_speed_integral_gain * p->sample_time / p->M1_speed_gain;
     s->M2_unread_M1 = p->M2_sensor_inertia_M1 / p->M1_inertia;
-    s->flange2_torque_ref_step = p->flange2_torque_ref_rate * p->sample_time;
     s->M2_model_pull = p->M2_model_stiffness * p->sample_time / p->M2_inertia_estimate;
     s->M2_model_drag = p->M2_model_damping * p->sample_time / p->M2_inertia_estimate;
     s->M3_unread_M1 = p->M3_sensor_inertia_M1 / p->M1_inertia;
-    s->flange3_torque_ref_step = p->flange3_torque_ref_rate * p->sample_time;
     s->M3_model_pull = p->M3_model_stiffness * p->sample_time / p->M3_inertia_estimate;
     s->M3_model_drag = p->M3_model_damping * p->sample_time / p->M3_inertia_estimate;
     s->M2_with_M1 = p->M2_inertia_estimate / (p->M1_inertia * p->diff_ratio);
@@ -857,6 +857,30 @@ centre_differential_locked_controller_status centre_differential_locked_controll
     const centre_differential_locked_real M1_speed_ref_before = s->M1_speed_ref_limited;
     s->M1_speed_ref_limited = M1_speed_ref_before + centre_differential_locked_max(-s->M1_speed_ref_step,
         centre_differential_locked_min(s->M1_speed_ref_step, -M1_speed_ref_before + s->M1_speed_ref_held));
+    /* testing torque while nothing accelerates (5.95), (5.96) */
+    const centre_differential_locked_real flange2_torque_steady = s->flange2_torque_held;
+    if (s->running <= 0.5) {
+        /* the first step, and the first one after a fault, starts anew */
+        s->flange2_torque_ref_limited = flange2_torque_steady;
+    }
+    /* limit of the rate */
+    const centre_differential_locked_real flange2_torque_ref_before = s->flange2_torque_ref_limited;
+    s->flange2_torque_ref_limited = flange2_torque_ref_before +
+        centre_differential_locked_max(-s->flange2_torque_ref_step,
+        centre_differential_locked_min(s->flange2_torque_ref_step, -flange2_torque_ref_before +
+        s->flange2_torque_ref_held));
+    /* testing torque while nothing accelerates (5.95), (5.96) */
+    const centre_differential_locked_real flange3_torque_steady = s->flange3_torque_held;
+    if (s->running <= 0.5) {
+        /* the first step, and the first one after a fault, starts anew */
+        s->flange3_torque_ref_limited = flange3_torque_steady;
+    }
+    /* limit of the rate */
+    const centre_differential_locked_real flange3_torque_ref_before = s->flange3_torque_ref_limited;
+    s->flange3_torque_ref_limited = flange3_torque_ref_before +
+        centre_differential_locked_max(-s->flange3_torque_ref_step,
+        centre_differential_locked_min(s->flange3_torque_ref_step, -flange3_torque_ref_before +
+        s->flange3_torque_ref_held));
     const centre_differential_locked_real M1_speed_error = -s->M1_speed_held + s->M1_speed_ref_limited;
     /* load torque compensation (5.52), (5.74) */
     const centre_differential_locked_real M1_compensation = s->flange1_torque_held;
@@ -880,20 +904,10 @@ centre_differential_locked_controller_status centre_differential_locked_controll
     const centre_differential_locked_real M1_net = M1_command - M1_compensation;
     /* testing torque from the sensors (5.95), (5.96), (5.98) */
     const centre_differential_locked_real flange2_torque_estimate = M1_net * s->M2_unread_M1 +
-        s->flange2_torque_held;
+        flange2_torque_steady;
     if (s->running <= 0.5) {
         /* the first step, and the first one after a fault, starts anew */
-        s->flange2_torque_ref_limited = flange2_torque_estimate;
-    }
-    /* limit of the rate */
-    const centre_differential_locked_real flange2_torque_ref_before = s->flange2_torque_ref_limited;
-    s->flange2_torque_ref_limited = flange2_torque_ref_before +
-        centre_differential_locked_max(-s->flange2_torque_ref_step,
-        centre_differential_locked_min(s->flange2_torque_ref_step, -flange2_torque_ref_before +
-        s->flange2_torque_ref_held));
-    if (s->running <= 0.5) {
-        /* the first step, and the first one after a fault, starts anew */
-        s->M2_model_torque = flange2_torque_estimate;
+        s->M2_model_torque = flange2_torque_steady;
     }
     /* torque model (5.57), (5.76) */
     const centre_differential_locked_real M2_model_before = s->M2_model_torque;
@@ -909,20 +923,10 @@ centre_differential_locked_controller_status centre_differential_locked_controll
         M2_integral_before + M2_torque_error * p->M2_torque_gain;
     /* testing torque from the sensors (5.95), (5.96), (5.98) */
     const centre_differential_locked_real flange3_torque_estimate = M1_net * s->M3_unread_M1 +
-        s->flange3_torque_held;
+        flange3_torque_steady;
     if (s->running <= 0.5) {
         /* the first step, and the first one after a fault, starts anew */
-        s->flange3_torque_ref_limited = flange3_torque_estimate;
-    }
-    /* limit of the rate */
-    const centre_differential_locked_real flange3_torque_ref_before = s->flange3_torque_ref_limited;
-    s->flange3_torque_ref_limited = flange3_torque_ref_before +
-        centre_differential_locked_max(-s->flange3_torque_ref_step,
-        centre_differential_locked_min(s->flange3_torque_ref_step, -flange3_torque_ref_before +
-        s->flange3_torque_ref_held));
-    if (s->running <= 0.5) {
-        /* the first step, and the first one after a fault, starts anew */
-        s->M3_model_torque = flange3_torque_estimate;
+        s->M3_model_torque = flange3_torque_steady;
     }
     /* torque model (5.57), (5.76) */
     const centre_differential_locked_real M3_model_before = s->M3_model_torque;

@@ -62,13 +62,14 @@ typedef struct {
     centre_differential_locked_real M2_torque_ref_oscillation_limit; /* amplitude with which M2_torque_ref may oscillate (N m) */
     centre_differential_locked_real M3_torque_ref_oscillation_limit; /* amplitude with which M3_torque_ref may oscillate (N m) */
     centre_differential_locked_real M1_speed_ref_rate; /* largest rate of M1_speed_ref (rad/s^2) */
+    centre_differential_locked_real flange2_torque_ref_rate; /* largest rate of flange2_torque_ref (N m/s) */
+    centre_differential_locked_real flange3_torque_ref_rate; /* largest rate of flange3_torque_ref (N m/s) */
     centre_differential_locked_real M1_speed_gain; /* proportional gain of the speed of M1 (N m s/rad) */
     centre_differential_locked_real M1_speed_integral_gain; /* integral gain of the speed of M1 (N m/rad) */
     centre_differential_locked_real M2_sensor_inertia_M1; /* torque of M2 that its sensors miss, per acceleration of M1 (kg m^2) */
     centre_differential_locked_real M2_inertia_estimate; /* inertia that M2 accelerates (5.78) (kg m^2) */
     centre_differential_locked_real M2_feedforward; /* share of the torque reference fed forward to M2 */
     centre_differential_locked_real M2_torque_gain; /* proportional gain of the torque control of M2, above -1 (5.115a) */
-    centre_differential_locked_real flange2_torque_ref_rate; /* largest rate of flange2_torque_ref (N m/s) */
     centre_differential_locked_real M2_model_stiffness; /* stiffness in the torque model of M2 (N m/rad) */
     centre_differential_locked_real M2_model_damping; /* damping in the torque model of M2 (N m s/rad) */
     centre_differential_locked_real M2_torque_model; /* switch of the torque model of M2, 0 to 1 */
@@ -76,7 +77,6 @@ typedef struct {
     centre_differential_locked_real M3_inertia_estimate; /* inertia that M3 accelerates (5.78) (kg m^2) */
     centre_differential_locked_real M3_feedforward; /* share of the torque reference fed forward to M3 */
     centre_differential_locked_real M3_torque_gain; /* proportional gain of the torque control of M3, above -1 (5.115a) */
-    centre_differential_locked_real flange3_torque_ref_rate; /* largest rate of flange3_torque_ref (N m/s) */
     centre_differential_locked_real M3_model_stiffness; /* stiffness in the torque model of M3 (N m/rad) */
     centre_differential_locked_real M3_model_damping; /* damping in the torque model of M3 (N m s/rad) */
     centre_differential_locked_real M3_torque_model; /* switch of the torque model of M3, 0 to 1 */
@@ -194,12 +194,12 @@ typedef struct {
     centre_differential_locked_real M3_torque_ref_side; /* side on which M3_torque_ref last was beyond the limit */
     centre_differential_locked_real M3_torque_ref_swings; /* half swings of M3_torque_ref, forgotten in time */
     centre_differential_locked_real M1_speed_ref_limited; /* M1_speed_ref behind its rate limiter (rad/s) */
-    centre_differential_locked_real M1_speed_integral; /* integrator of the speed control of M1 (N m) */
     centre_differential_locked_real flange2_torque_ref_limited; /* flange2_torque_ref behind its rate limiter (N m) */
+    centre_differential_locked_real flange3_torque_ref_limited; /* flange3_torque_ref behind its rate limiter (N m) */
+    centre_differential_locked_real M1_speed_integral; /* integrator of the speed control of M1 (N m) */
     centre_differential_locked_real M2_model_torque; /* torque that the feedforward to M2 should give (N m) */
     centre_differential_locked_real M2_model_rate; /* rate of the torque model of M2 (N m/s) */
     centre_differential_locked_real M2_torque_integral; /* integrator of the torque control of M2 (N m) */
-    centre_differential_locked_real flange3_torque_ref_limited; /* flange3_torque_ref behind its rate limiter (N m) */
     centre_differential_locked_real M3_model_torque; /* torque that the feedforward to M3 should give (N m) */
     centre_differential_locked_real M3_model_rate; /* rate of the torque model of M3 (N m/s) */
     centre_differential_locked_real M3_torque_integral; /* integrator of the torque control of M3 (N m) */
@@ -230,14 +230,14 @@ typedef struct {
     centre_differential_locked_real forgotten_swings; /* half swings that are forgotten per step */
     centre_differential_locked_real mean_share; /* share of a step in the mean of a torque */
     centre_differential_locked_real M1_speed_ref_step; /* largest change of M1_speed_ref in a step (rad/s) */
+    centre_differential_locked_real flange2_torque_ref_step; /* largest change of flange2_torque_ref in a step (N m) */
+    centre_differential_locked_real flange3_torque_ref_step; /* largest change of flange3_torque_ref in a step (N m) */
     centre_differential_locked_real M1_speed_growth; /* growth of the integrator per error (N m s/rad) */
     centre_differential_locked_real M1_speed_conditioning; /* growth per torque cut off */
     centre_differential_locked_real M2_unread_M1; /* the same per net torque */
-    centre_differential_locked_real flange2_torque_ref_step; /* largest change of flange2_torque_ref in a step (N m) */
     centre_differential_locked_real M2_model_pull; /* rate of the torque model per missing torque (1/s) */
     centre_differential_locked_real M2_model_drag; /* decay of that rate in a step */
     centre_differential_locked_real M3_unread_M1; /* the same per net torque */
-    centre_differential_locked_real flange3_torque_ref_step; /* largest change of flange3_torque_ref in a step (N m) */
     centre_differential_locked_real M3_model_pull; /* rate of the torque model per missing torque (1/s) */
     centre_differential_locked_real M3_model_drag; /* decay of that rate in a step */
     centre_differential_locked_real M2_with_M1; /* coefficient of the virtual input of M1 */
@@ -356,21 +356,21 @@ typedef enum {
     centre_differential_locked_controller_bad_M2_torque_ref_oscillation_limit = 2048, /* outside its range */
     centre_differential_locked_controller_bad_M3_torque_ref_oscillation_limit = 2049, /* outside its range */
     centre_differential_locked_controller_bad_M1_speed_ref_rate = 2050, /* outside its range */
-    centre_differential_locked_controller_bad_M1_speed_gain = 2051, /* outside its range */
-    centre_differential_locked_controller_bad_M1_speed_integral_gain = 2052, /* outside its range */
-    centre_differential_locked_controller_bad_M2_sensor_inertia_M1 = 2053, /* outside its range */
-    centre_differential_locked_controller_bad_M2_inertia_estimate = 2054, /* outside its range */
-    centre_differential_locked_controller_bad_M2_feedforward = 2055, /* outside its range */
-    centre_differential_locked_controller_bad_M2_torque_gain = 2056, /* outside its range */
-    centre_differential_locked_controller_bad_flange2_torque_ref_rate = 2057, /* outside its range */
-    centre_differential_locked_controller_bad_M2_model_stiffness = 2058, /* outside its range */
-    centre_differential_locked_controller_bad_M2_model_damping = 2059, /* outside its range */
-    centre_differential_locked_controller_bad_M2_torque_model = 2060, /* outside its range */
-    centre_differential_locked_controller_bad_M3_sensor_inertia_M1 = 2061, /* outside its range */
-    centre_differential_locked_controller_bad_M3_inertia_estimate = 2062, /* outside its range */
-    centre_differential_locked_controller_bad_M3_feedforward = 2063, /* outside its range */
-    centre_differential_locked_controller_bad_M3_torque_gain = 2064, /* outside its range */
-    centre_differential_locked_controller_bad_flange3_torque_ref_rate = 2065, /* outside its range */
+    centre_differential_locked_controller_bad_flange2_torque_ref_rate = 2051, /* outside its range */
+    centre_differential_locked_controller_bad_flange3_torque_ref_rate = 2052, /* outside its range */
+    centre_differential_locked_controller_bad_M1_speed_gain = 2053, /* outside its range */
+    centre_differential_locked_controller_bad_M1_speed_integral_gain = 2054, /* outside its range */
+    centre_differential_locked_controller_bad_M2_sensor_inertia_M1 = 2055, /* outside its range */
+    centre_differential_locked_controller_bad_M2_inertia_estimate = 2056, /* outside its range */
+    centre_differential_locked_controller_bad_M2_feedforward = 2057, /* outside its range */
+    centre_differential_locked_controller_bad_M2_torque_gain = 2058, /* outside its range */
+    centre_differential_locked_controller_bad_M2_model_stiffness = 2059, /* outside its range */
+    centre_differential_locked_controller_bad_M2_model_damping = 2060, /* outside its range */
+    centre_differential_locked_controller_bad_M2_torque_model = 2061, /* outside its range */
+    centre_differential_locked_controller_bad_M3_sensor_inertia_M1 = 2062, /* outside its range */
+    centre_differential_locked_controller_bad_M3_inertia_estimate = 2063, /* outside its range */
+    centre_differential_locked_controller_bad_M3_feedforward = 2064, /* outside its range */
+    centre_differential_locked_controller_bad_M3_torque_gain = 2065, /* outside its range */
     centre_differential_locked_controller_bad_M3_model_stiffness = 2066, /* outside its range */
     centre_differential_locked_controller_bad_M3_model_damping = 2067, /* outside its range */
     centre_differential_locked_controller_bad_M3_torque_model = 2068, /* outside its range */

@@ -61,12 +61,13 @@ const differential_gearboxes_controller_params differential_gearboxes_controller
     .M3_torque_ref_oscillation_limit = 1850.0,
     .M2_speed_ref_rate = 359.223,
     .M3_speed_ref_rate = 359.223,
+    .gearbox2_ratio = 10.4,
+    .gearbox3_ratio = 10.4,
+    .diff_outputs_torque_ref_rate = 736865.0,
     .M2_speed_gain = 61.8,
     .M2_speed_integral_gain = 92.7,
     .M3_speed_gain = 61.8,
     .M3_speed_integral_gain = 92.7,
-    .gearbox2_ratio = 10.4,
-    .gearbox3_ratio = 10.4,
     .gearbox2_inertia = 1.65,
     .gearbox3_inertia = 1.65,
     .M1_sensor_inertia_M2 = 0.3328,
@@ -74,7 +75,6 @@ const differential_gearboxes_controller_params differential_gearboxes_controller
     .M1_inertia_estimate = 4.33657,
     .M1_feedforward = 1.0,
     .M1_torque_gain = 0.0,
-    .diff_outputs_torque_ref_rate = 736865.0,
     .M1_model_stiffness = 322.745,
     .M1_model_damping = 74.8226,
     .M1_torque_model = 1.0,
@@ -137,12 +137,13 @@ const differential_gearboxes_controller_params differential_gearboxes_controller
     .M3_torque_ref_oscillation_limit = 1850.0,
     .M2_speed_ref_rate = 359.223,
     .M3_speed_ref_rate = 359.223,
+    .gearbox2_ratio = 10.4,
+    .gearbox3_ratio = 10.4,
+    .diff_outputs_torque_ref_rate = 736865.0,
     .M2_speed_gain = 61.8,
     .M2_speed_integral_gain = 92.7,
     .M3_speed_gain = 61.8,
     .M3_speed_integral_gain = 92.7,
-    .gearbox2_ratio = 10.4,
-    .gearbox3_ratio = 10.4,
     .gearbox2_inertia = 1.65,
     .gearbox3_inertia = 1.65,
     .M1_sensor_inertia_M2 = 0.3328,
@@ -150,7 +151,6 @@ const differential_gearboxes_controller_params differential_gearboxes_controller
     .M1_inertia_estimate = 4.33657,
     .M1_feedforward = 1.0,
     .M1_torque_gain = 0.0,
-    .diff_outputs_torque_ref_rate = 736865.0,
     .M1_model_stiffness = 322.745,
     .M1_model_damping = 74.8226,
     .M1_torque_model = 0.0,
@@ -221,12 +221,13 @@ static const struct {
     { "the parameter M3_torque_ref_oscillation_limit is outside its range", offsetof(differential_gearboxes_controller_params, M3_torque_ref_oscillation_limit), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M2_speed_ref_rate is outside its range", offsetof(differential_gearboxes_controller_params, M2_speed_ref_rate), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M3_speed_ref_rate is outside its range", offsetof(differential_gearboxes_controller_params, M3_speed_ref_rate), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter gearbox2_ratio is outside its range", offsetof(differential_gearboxes_controller_params, gearbox2_ratio), -DBL_MAX, DBL_MAX, 0, 1 },
+    { "the parameter gearbox3_ratio is outside its range", offsetof(differential_gearboxes_controller_params, gearbox3_ratio), -DBL_MAX, DBL_MAX, 0, 1 },
+    { "the parameter diff_outputs_torque_ref_rate is outside its range", offsetof(differential_gearboxes_controller_params, diff_outputs_torque_ref_rate), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M2_speed_gain is outside its range", offsetof(differential_gearboxes_controller_params, M2_speed_gain), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M2_speed_integral_gain is outside its range", offsetof(differential_gearboxes_controller_params, M2_speed_integral_gain), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M3_speed_gain is outside its range", offsetof(differential_gearboxes_controller_params, M3_speed_gain), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M3_speed_integral_gain is outside its range", offsetof(differential_gearboxes_controller_params, M3_speed_integral_gain), 0.0, DBL_MAX, 0, 0 },
-    { "the parameter gearbox2_ratio is outside its range", offsetof(differential_gearboxes_controller_params, gearbox2_ratio), -DBL_MAX, DBL_MAX, 0, 1 },
-    { "the parameter gearbox3_ratio is outside its range", offsetof(differential_gearboxes_controller_params, gearbox3_ratio), -DBL_MAX, DBL_MAX, 0, 1 },
     { "the parameter gearbox2_inertia is outside its range", offsetof(differential_gearboxes_controller_params, gearbox2_inertia), 0.0, DBL_MAX, 1, 0 },
     { "the parameter gearbox3_inertia is outside its range", offsetof(differential_gearboxes_controller_params, gearbox3_inertia), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M1_sensor_inertia_M2 is outside its range", offsetof(differential_gearboxes_controller_params, M1_sensor_inertia_M2), -DBL_MAX, DBL_MAX, 0, 0 },
@@ -234,7 +235,6 @@ static const struct {
     { "the parameter M1_inertia_estimate is outside its range", offsetof(differential_gearboxes_controller_params, M1_inertia_estimate), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M1_feedforward is outside its range", offsetof(differential_gearboxes_controller_params, M1_feedforward), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M1_torque_gain is outside its range", offsetof(differential_gearboxes_controller_params, M1_torque_gain), -1.0, DBL_MAX, 1, 0 },
-    { "the parameter diff_outputs_torque_ref_rate is outside its range", offsetof(differential_gearboxes_controller_params, diff_outputs_torque_ref_rate), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M1_model_stiffness is outside its range", offsetof(differential_gearboxes_controller_params, M1_model_stiffness), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M1_model_damping is outside its range", offsetof(differential_gearboxes_controller_params, M1_model_damping), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M1_torque_model is outside its range", offsetof(differential_gearboxes_controller_params, M1_torque_model), 0.0, 1.0, 0, 0 },
@@ -373,6 +373,7 @@ differential_gearboxes_controller_status differential_gearboxes_controller_updat
     s->mean_share = 6.2832 * p->oscillation_frequency * p->sample_time;
     s->M2_speed_ref_step = p->M2_speed_ref_rate * p->sample_time;
     s->M3_speed_ref_step = p->M3_speed_ref_rate * p->sample_time;
+    s->diff_outputs_torque_ref_step = p->diff_outputs_torque_ref_rate * p->sample_time;
     s->M2_speed_growth = p->M2_speed_integral_gain * p->sample_time;
     s->M2_speed_conditioning = p->M2_speed_integral_gain * p->sample_time / p->M2_speed_gain;
     s->M3_speed_growth = p->M3_speed_integral_gain * p->sample_time;
@@ -381,7 +382,6 @@ differential_gearboxes_controller_status differential_gearboxes_controller_updat
     s->M1_read_M3 = p->gearbox3_inertia * p->gearbox3_ratio / p->M3_inertia;
     s->M1_unread_M2 = p->M1_sensor_inertia_M2 / p->M2_inertia;
     s->M1_unread_M3 = p->M1_sensor_inertia_M3 / p->M3_inertia;
-    s->diff_outputs_torque_ref_step = p->diff_outputs_torque_ref_rate * p->sample_time;
     s->M1_model_pull = p->M1_model_stiffness * p->sample_time / p->M1_inertia_estimate;
     s->M1_model_drag = p->M1_model_damping * p->sample_time / p->M1_inertia_estimate;
     s->M1_with_M2 = (0.5) * p->M1_inertia_estimate * p->diff_ratio * p->gearbox1_ratio / (p->M2_inertia *
@@ -748,6 +748,19 @@ differential_gearboxes_controller_status differential_gearboxes_controller_step(
     const differential_gearboxes_real M3_speed_ref_before = s->M3_speed_ref_limited;
     s->M3_speed_ref_limited = M3_speed_ref_before + differential_gearboxes_max(-s->M3_speed_ref_step,
         differential_gearboxes_min(s->M3_speed_ref_step, -M3_speed_ref_before + s->M3_speed_ref_held));
+    /* testing torque while nothing accelerates (5.95), (5.96) */
+    const differential_gearboxes_real diff_outputs_torque_steady = s->flange2_torque_held * p->gearbox2_ratio +
+        s->flange3_torque_held * p->gearbox3_ratio;
+    if (s->running <= 0.5) {
+        /* the first step, and the first one after a fault, starts anew */
+        s->diff_outputs_torque_ref_limited = diff_outputs_torque_steady;
+    }
+    /* limit of the rate */
+    const differential_gearboxes_real diff_outputs_torque_ref_before = s->diff_outputs_torque_ref_limited;
+    s->diff_outputs_torque_ref_limited = diff_outputs_torque_ref_before +
+        differential_gearboxes_max(-s->diff_outputs_torque_ref_step,
+        differential_gearboxes_min(s->diff_outputs_torque_ref_step, -diff_outputs_torque_ref_before +
+        s->diff_outputs_torque_ref_held));
     const differential_gearboxes_real M2_speed_error = -s->M2_speed_held + s->M2_speed_ref_limited;
     /* load torque compensation (5.52), (5.74) */
     const differential_gearboxes_real M2_compensation = -s->flange2_torque_held;
@@ -792,21 +805,10 @@ differential_gearboxes_controller_status differential_gearboxes_controller_step(
     const differential_gearboxes_real M3_net = M3_command - M3_compensation;
     /* testing torque from the sensors (5.95), (5.96), (5.98) */
     const differential_gearboxes_real diff_outputs_torque_estimate = s->M1_read_M2 * M2_net + s->M1_read_M3 * M3_net
-        + s->M1_unread_M2 * M2_net + s->M1_unread_M3 * M3_net + s->flange2_torque_held * p->gearbox2_ratio +
-        s->flange3_torque_held * p->gearbox3_ratio;
+        + s->M1_unread_M2 * M2_net + s->M1_unread_M3 * M3_net + diff_outputs_torque_steady;
     if (s->running <= 0.5) {
         /* the first step, and the first one after a fault, starts anew */
-        s->diff_outputs_torque_ref_limited = diff_outputs_torque_estimate;
-    }
-    /* limit of the rate */
-    const differential_gearboxes_real diff_outputs_torque_ref_before = s->diff_outputs_torque_ref_limited;
-    s->diff_outputs_torque_ref_limited = diff_outputs_torque_ref_before +
-        differential_gearboxes_max(-s->diff_outputs_torque_ref_step,
-        differential_gearboxes_min(s->diff_outputs_torque_ref_step, -diff_outputs_torque_ref_before +
-        s->diff_outputs_torque_ref_held));
-    if (s->running <= 0.5) {
-        /* the first step, and the first one after a fault, starts anew */
-        s->M1_model_torque = diff_outputs_torque_estimate;
+        s->M1_model_torque = diff_outputs_torque_steady;
     }
     /* torque model (5.57), (5.76) */
     const differential_gearboxes_real M1_model_before = s->M1_model_torque;

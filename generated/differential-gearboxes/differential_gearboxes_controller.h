@@ -62,12 +62,13 @@ typedef struct {
     differential_gearboxes_real M3_torque_ref_oscillation_limit; /* amplitude with which M3_torque_ref may oscillate (N m) */
     differential_gearboxes_real M2_speed_ref_rate; /* largest rate of M2_speed_ref (rad/s^2) */
     differential_gearboxes_real M3_speed_ref_rate; /* largest rate of M3_speed_ref (rad/s^2) */
+    differential_gearboxes_real gearbox2_ratio; /* ratio of input speed to output speed; negative when the sense reverses */
+    differential_gearboxes_real gearbox3_ratio; /* ratio of input speed to output speed; negative when the sense reverses */
+    differential_gearboxes_real diff_outputs_torque_ref_rate; /* largest rate of diff_outputs_torque_ref (N m/s) */
     differential_gearboxes_real M2_speed_gain; /* proportional gain of the speed of M2 (N m s/rad) */
     differential_gearboxes_real M2_speed_integral_gain; /* integral gain of the speed of M2 (N m/rad) */
     differential_gearboxes_real M3_speed_gain; /* proportional gain of the speed of M3 (N m s/rad) */
     differential_gearboxes_real M3_speed_integral_gain; /* integral gain of the speed of M3 (N m/rad) */
-    differential_gearboxes_real gearbox2_ratio; /* ratio of input speed to output speed; negative when the sense reverses */
-    differential_gearboxes_real gearbox3_ratio; /* ratio of input speed to output speed; negative when the sense reverses */
     differential_gearboxes_real gearbox2_inertia; /* moment of inertia, referred to the side named in inertia_side (kg m^2) */
     differential_gearboxes_real gearbox3_inertia; /* moment of inertia, referred to the side named in inertia_side (kg m^2) */
     differential_gearboxes_real M1_sensor_inertia_M2; /* torque of M1 that its sensors miss, per acceleration of M2 (kg m^2) */
@@ -75,7 +76,6 @@ typedef struct {
     differential_gearboxes_real M1_inertia_estimate; /* inertia that M1 accelerates (5.78) (kg m^2) */
     differential_gearboxes_real M1_feedforward; /* share of the torque reference fed forward to M1 */
     differential_gearboxes_real M1_torque_gain; /* proportional gain of the torque control of M1, above -1 (5.115a) */
-    differential_gearboxes_real diff_outputs_torque_ref_rate; /* largest rate of diff_outputs_torque_ref (N m/s) */
     differential_gearboxes_real M1_model_stiffness; /* stiffness in the torque model of M1 (N m/rad) */
     differential_gearboxes_real M1_model_damping; /* damping in the torque model of M1 (N m s/rad) */
     differential_gearboxes_real M1_torque_model; /* switch of the torque model of M1, 0 to 1 */
@@ -186,9 +186,9 @@ typedef struct {
     differential_gearboxes_real M3_torque_ref_swings; /* half swings of M3_torque_ref, forgotten in time */
     differential_gearboxes_real M2_speed_ref_limited; /* M2_speed_ref behind its rate limiter (rad/s) */
     differential_gearboxes_real M3_speed_ref_limited; /* M3_speed_ref behind its rate limiter (rad/s) */
+    differential_gearboxes_real diff_outputs_torque_ref_limited; /* diff_outputs_torque_ref behind its rate limiter (N m) */
     differential_gearboxes_real M2_speed_integral; /* integrator of the speed control of M2 (N m) */
     differential_gearboxes_real M3_speed_integral; /* integrator of the speed control of M3 (N m) */
-    differential_gearboxes_real diff_outputs_torque_ref_limited; /* diff_outputs_torque_ref behind its rate limiter (N m) */
     differential_gearboxes_real M1_model_torque; /* torque that the feedforward to M1 should give (N m) */
     differential_gearboxes_real M1_model_rate; /* rate of the torque model of M1 (N m/s) */
     differential_gearboxes_real M1_torque_integral; /* integrator of the torque control of M1 (N m) */
@@ -220,6 +220,7 @@ typedef struct {
     differential_gearboxes_real mean_share; /* share of a step in the mean of a torque */
     differential_gearboxes_real M2_speed_ref_step; /* largest change of M2_speed_ref in a step (rad/s) */
     differential_gearboxes_real M3_speed_ref_step; /* largest change of M3_speed_ref in a step (rad/s) */
+    differential_gearboxes_real diff_outputs_torque_ref_step; /* largest change of diff_outputs_torque_ref in a step (N m) */
     differential_gearboxes_real M2_speed_growth; /* growth of the integrator per error (N m s/rad) */
     differential_gearboxes_real M2_speed_conditioning; /* growth per torque cut off */
     differential_gearboxes_real M3_speed_growth; /* growth of the integrator per error (N m s/rad) */
@@ -228,7 +229,6 @@ typedef struct {
     differential_gearboxes_real M1_read_M3; /* coefficient of the virtual input of M3 */
     differential_gearboxes_real M1_unread_M2; /* the same per net torque */
     differential_gearboxes_real M1_unread_M3; /* the same per net torque */
-    differential_gearboxes_real diff_outputs_torque_ref_step; /* largest change of diff_outputs_torque_ref in a step (N m) */
     differential_gearboxes_real M1_model_pull; /* rate of the torque model per missing torque (1/s) */
     differential_gearboxes_real M1_model_drag; /* decay of that rate in a step */
     differential_gearboxes_real M1_with_M2; /* coefficient of the virtual input of M2 */
@@ -328,20 +328,20 @@ typedef enum {
     differential_gearboxes_controller_bad_M3_torque_ref_oscillation_limit = 2048, /* outside its range */
     differential_gearboxes_controller_bad_M2_speed_ref_rate = 2049, /* outside its range */
     differential_gearboxes_controller_bad_M3_speed_ref_rate = 2050, /* outside its range */
-    differential_gearboxes_controller_bad_M2_speed_gain = 2051, /* outside its range */
-    differential_gearboxes_controller_bad_M2_speed_integral_gain = 2052, /* outside its range */
-    differential_gearboxes_controller_bad_M3_speed_gain = 2053, /* outside its range */
-    differential_gearboxes_controller_bad_M3_speed_integral_gain = 2054, /* outside its range */
-    differential_gearboxes_controller_bad_gearbox2_ratio = 2055, /* outside its range */
-    differential_gearboxes_controller_bad_gearbox3_ratio = 2056, /* outside its range */
-    differential_gearboxes_controller_bad_gearbox2_inertia = 2057, /* outside its range */
-    differential_gearboxes_controller_bad_gearbox3_inertia = 2058, /* outside its range */
-    differential_gearboxes_controller_bad_M1_sensor_inertia_M2 = 2059, /* outside its range */
-    differential_gearboxes_controller_bad_M1_sensor_inertia_M3 = 2060, /* outside its range */
-    differential_gearboxes_controller_bad_M1_inertia_estimate = 2061, /* outside its range */
-    differential_gearboxes_controller_bad_M1_feedforward = 2062, /* outside its range */
-    differential_gearboxes_controller_bad_M1_torque_gain = 2063, /* outside its range */
-    differential_gearboxes_controller_bad_diff_outputs_torque_ref_rate = 2064, /* outside its range */
+    differential_gearboxes_controller_bad_gearbox2_ratio = 2051, /* outside its range */
+    differential_gearboxes_controller_bad_gearbox3_ratio = 2052, /* outside its range */
+    differential_gearboxes_controller_bad_diff_outputs_torque_ref_rate = 2053, /* outside its range */
+    differential_gearboxes_controller_bad_M2_speed_gain = 2054, /* outside its range */
+    differential_gearboxes_controller_bad_M2_speed_integral_gain = 2055, /* outside its range */
+    differential_gearboxes_controller_bad_M3_speed_gain = 2056, /* outside its range */
+    differential_gearboxes_controller_bad_M3_speed_integral_gain = 2057, /* outside its range */
+    differential_gearboxes_controller_bad_gearbox2_inertia = 2058, /* outside its range */
+    differential_gearboxes_controller_bad_gearbox3_inertia = 2059, /* outside its range */
+    differential_gearboxes_controller_bad_M1_sensor_inertia_M2 = 2060, /* outside its range */
+    differential_gearboxes_controller_bad_M1_sensor_inertia_M3 = 2061, /* outside its range */
+    differential_gearboxes_controller_bad_M1_inertia_estimate = 2062, /* outside its range */
+    differential_gearboxes_controller_bad_M1_feedforward = 2063, /* outside its range */
+    differential_gearboxes_controller_bad_M1_torque_gain = 2064, /* outside its range */
     differential_gearboxes_controller_bad_M1_model_stiffness = 2065, /* outside its range */
     differential_gearboxes_controller_bad_M1_model_damping = 2066, /* outside its range */
     differential_gearboxes_controller_bad_M1_torque_model = 2067, /* outside its range */

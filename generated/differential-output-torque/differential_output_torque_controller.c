@@ -61,6 +61,7 @@ const differential_output_torque_controller_params differential_output_torque_co
     .M3_torque_ref_oscillation_limit = 1850.0,
     .M1_speed_ref_rate = 930.0,
     .M3_speed_ref_rate = 359.223,
+    .diff_output1_torque_ref_rate = 141368.0,
     .M1_speed_gain = 30.0,
     .M1_speed_integral_gain = 225.0,
     .M3_speed_gain = 309.0,
@@ -70,7 +71,6 @@ const differential_output_torque_controller_params differential_output_torque_co
     .M2_inertia_estimate = 10.332,
     .M2_feedforward = 1.0,
     .M2_torque_gain = 0.0,
-    .diff_output1_torque_ref_rate = 141368.0,
     .M2_model_stiffness = 15082.9,
     .M2_model_damping = 789.523,
     .M2_torque_model = 1.0,
@@ -132,6 +132,7 @@ const differential_output_torque_controller_params differential_output_torque_co
     .M3_torque_ref_oscillation_limit = 1850.0,
     .M1_speed_ref_rate = 930.0,
     .M3_speed_ref_rate = 359.223,
+    .diff_output1_torque_ref_rate = 141368.0,
     .M1_speed_gain = 30.0,
     .M1_speed_integral_gain = 225.0,
     .M3_speed_gain = 309.0,
@@ -141,7 +142,6 @@ const differential_output_torque_controller_params differential_output_torque_co
     .M2_inertia_estimate = 10.332,
     .M2_feedforward = 1.0,
     .M2_torque_gain = 0.0,
-    .diff_output1_torque_ref_rate = 141368.0,
     .M2_model_stiffness = 15082.9,
     .M2_model_damping = 789.523,
     .M2_torque_model = 0.0,
@@ -211,6 +211,7 @@ static const struct {
     { "the parameter M3_torque_ref_oscillation_limit is outside its range", offsetof(differential_output_torque_controller_params, M3_torque_ref_oscillation_limit), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M1_speed_ref_rate is outside its range", offsetof(differential_output_torque_controller_params, M1_speed_ref_rate), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M3_speed_ref_rate is outside its range", offsetof(differential_output_torque_controller_params, M3_speed_ref_rate), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter diff_output1_torque_ref_rate is outside its range", offsetof(differential_output_torque_controller_params, diff_output1_torque_ref_rate), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M1_speed_gain is outside its range", offsetof(differential_output_torque_controller_params, M1_speed_gain), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M1_speed_integral_gain is outside its range", offsetof(differential_output_torque_controller_params, M1_speed_integral_gain), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M3_speed_gain is outside its range", offsetof(differential_output_torque_controller_params, M3_speed_gain), 0.0, DBL_MAX, 1, 0 },
@@ -220,7 +221,6 @@ static const struct {
     { "the parameter M2_inertia_estimate is outside its range", offsetof(differential_output_torque_controller_params, M2_inertia_estimate), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M2_feedforward is outside its range", offsetof(differential_output_torque_controller_params, M2_feedforward), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M2_torque_gain is outside its range", offsetof(differential_output_torque_controller_params, M2_torque_gain), -1.0, DBL_MAX, 1, 0 },
-    { "the parameter diff_output1_torque_ref_rate is outside its range", offsetof(differential_output_torque_controller_params, diff_output1_torque_ref_rate), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M2_model_stiffness is outside its range", offsetof(differential_output_torque_controller_params, M2_model_stiffness), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M2_model_damping is outside its range", offsetof(differential_output_torque_controller_params, M2_model_damping), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M2_torque_model is outside its range", offsetof(differential_output_torque_controller_params, M2_torque_model), 0.0, 1.0, 0, 0 },
@@ -358,13 +358,13 @@ differential_output_torque_controller_status differential_output_torque_controll
     s->mean_share = 6.2832 * p->oscillation_frequency * p->sample_time;
     s->M1_speed_ref_step = p->M1_speed_ref_rate * p->sample_time;
     s->M3_speed_ref_step = p->M3_speed_ref_rate * p->sample_time;
+    s->diff_output1_torque_ref_step = p->diff_output1_torque_ref_rate * p->sample_time;
     s->M1_speed_growth = p->M1_speed_integral_gain * p->sample_time;
     s->M1_speed_conditioning = p->M1_speed_integral_gain * p->sample_time / p->M1_speed_gain;
     s->M3_speed_growth = p->M3_speed_integral_gain * p->sample_time;
     s->M3_speed_conditioning = p->M3_speed_integral_gain * p->sample_time / p->M3_speed_gain;
     s->M2_unread_M1 = p->M2_sensor_inertia_M1 / p->M1_inertia;
     s->M2_unread_M3 = p->M2_sensor_inertia_M3 / p->M3_inertia;
-    s->diff_output1_torque_ref_step = p->diff_output1_torque_ref_rate * p->sample_time;
     s->M2_model_pull = p->M2_model_stiffness * p->sample_time / p->M2_inertia_estimate;
     s->M2_model_drag = p->M2_model_damping * p->sample_time / p->M2_inertia_estimate;
     s->M2_with_M1 = 2.0 * p->M2_inertia_estimate / (p->M1_inertia * p->diff_ratio);
@@ -747,6 +747,18 @@ differential_output_torque_controller_status differential_output_torque_controll
     const differential_output_torque_real M3_speed_ref_before = s->M3_speed_ref_limited;
     s->M3_speed_ref_limited = M3_speed_ref_before + differential_output_torque_max(-s->M3_speed_ref_step,
         differential_output_torque_min(s->M3_speed_ref_step, -M3_speed_ref_before + s->M3_speed_ref_held));
+    /* testing torque while nothing accelerates (5.95), (5.96) */
+    const differential_output_torque_real diff_output1_torque_steady = s->flange2_torque_held;
+    if (s->running <= 0.5) {
+        /* the first step, and the first one after a fault, starts anew */
+        s->diff_output1_torque_ref_limited = diff_output1_torque_steady;
+    }
+    /* limit of the rate */
+    const differential_output_torque_real diff_output1_torque_ref_before = s->diff_output1_torque_ref_limited;
+    s->diff_output1_torque_ref_limited = diff_output1_torque_ref_before +
+        differential_output_torque_max(-s->diff_output1_torque_ref_step,
+        differential_output_torque_min(s->diff_output1_torque_ref_step, -diff_output1_torque_ref_before +
+        s->diff_output1_torque_ref_held));
     const differential_output_torque_real M1_speed_error = -s->M1_speed_held + s->M1_speed_ref_limited;
     /* load torque compensation (5.52), (5.74) */
     const differential_output_torque_real M1_compensation = s->flange1_torque_held;
@@ -791,20 +803,10 @@ differential_output_torque_controller_status differential_output_torque_controll
     const differential_output_torque_real M3_net = M3_command - M3_compensation;
     /* testing torque from the sensors (5.95), (5.96), (5.98) */
     const differential_output_torque_real diff_output1_torque_estimate = M1_net * s->M2_unread_M1 + s->M2_unread_M3
-        * M3_net + s->flange2_torque_held;
+        * M3_net + diff_output1_torque_steady;
     if (s->running <= 0.5) {
         /* the first step, and the first one after a fault, starts anew */
-        s->diff_output1_torque_ref_limited = diff_output1_torque_estimate;
-    }
-    /* limit of the rate */
-    const differential_output_torque_real diff_output1_torque_ref_before = s->diff_output1_torque_ref_limited;
-    s->diff_output1_torque_ref_limited = diff_output1_torque_ref_before +
-        differential_output_torque_max(-s->diff_output1_torque_ref_step,
-        differential_output_torque_min(s->diff_output1_torque_ref_step, -diff_output1_torque_ref_before +
-        s->diff_output1_torque_ref_held));
-    if (s->running <= 0.5) {
-        /* the first step, and the first one after a fault, starts anew */
-        s->M2_model_torque = diff_output1_torque_estimate;
+        s->M2_model_torque = diff_output1_torque_steady;
     }
     /* torque model (5.57), (5.76) */
     const differential_output_torque_real M2_model_before = s->M2_model_torque;

@@ -62,6 +62,7 @@ typedef struct {
     differential_output_torque_real M3_torque_ref_oscillation_limit; /* amplitude with which M3_torque_ref may oscillate (N m) */
     differential_output_torque_real M1_speed_ref_rate; /* largest rate of M1_speed_ref (rad/s^2) */
     differential_output_torque_real M3_speed_ref_rate; /* largest rate of M3_speed_ref (rad/s^2) */
+    differential_output_torque_real diff_output1_torque_ref_rate; /* largest rate of diff_output1_torque_ref (N m/s) */
     differential_output_torque_real M1_speed_gain; /* proportional gain of the speed of M1 (N m s/rad) */
     differential_output_torque_real M1_speed_integral_gain; /* integral gain of the speed of M1 (N m/rad) */
     differential_output_torque_real M3_speed_gain; /* proportional gain of the speed of M3 (N m s/rad) */
@@ -71,7 +72,6 @@ typedef struct {
     differential_output_torque_real M2_inertia_estimate; /* inertia that M2 accelerates (5.78) (kg m^2) */
     differential_output_torque_real M2_feedforward; /* share of the torque reference fed forward to M2 */
     differential_output_torque_real M2_torque_gain; /* proportional gain of the torque control of M2, above -1 (5.115a) */
-    differential_output_torque_real diff_output1_torque_ref_rate; /* largest rate of diff_output1_torque_ref (N m/s) */
     differential_output_torque_real M2_model_stiffness; /* stiffness in the torque model of M2 (N m/rad) */
     differential_output_torque_real M2_model_damping; /* damping in the torque model of M2 (N m s/rad) */
     differential_output_torque_real M2_torque_model; /* switch of the torque model of M2, 0 to 1 */
@@ -181,9 +181,9 @@ typedef struct {
     differential_output_torque_real M3_torque_ref_swings; /* half swings of M3_torque_ref, forgotten in time */
     differential_output_torque_real M1_speed_ref_limited; /* M1_speed_ref behind its rate limiter (rad/s) */
     differential_output_torque_real M3_speed_ref_limited; /* M3_speed_ref behind its rate limiter (rad/s) */
+    differential_output_torque_real diff_output1_torque_ref_limited; /* diff_output1_torque_ref behind its rate limiter (N m) */
     differential_output_torque_real M1_speed_integral; /* integrator of the speed control of M1 (N m) */
     differential_output_torque_real M3_speed_integral; /* integrator of the speed control of M3 (N m) */
-    differential_output_torque_real diff_output1_torque_ref_limited; /* diff_output1_torque_ref behind its rate limiter (N m) */
     differential_output_torque_real M2_model_torque; /* torque that the feedforward to M2 should give (N m) */
     differential_output_torque_real M2_model_rate; /* rate of the torque model of M2 (N m/s) */
     differential_output_torque_real M2_torque_integral; /* integrator of the torque control of M2 (N m) */
@@ -215,13 +215,13 @@ typedef struct {
     differential_output_torque_real mean_share; /* share of a step in the mean of a torque */
     differential_output_torque_real M1_speed_ref_step; /* largest change of M1_speed_ref in a step (rad/s) */
     differential_output_torque_real M3_speed_ref_step; /* largest change of M3_speed_ref in a step (rad/s) */
+    differential_output_torque_real diff_output1_torque_ref_step; /* largest change of diff_output1_torque_ref in a step (N m) */
     differential_output_torque_real M1_speed_growth; /* growth of the integrator per error (N m s/rad) */
     differential_output_torque_real M1_speed_conditioning; /* growth per torque cut off */
     differential_output_torque_real M3_speed_growth; /* growth of the integrator per error (N m s/rad) */
     differential_output_torque_real M3_speed_conditioning; /* growth per torque cut off */
     differential_output_torque_real M2_unread_M1; /* the same per net torque */
     differential_output_torque_real M2_unread_M3; /* the same per net torque */
-    differential_output_torque_real diff_output1_torque_ref_step; /* largest change of diff_output1_torque_ref in a step (N m) */
     differential_output_torque_real M2_model_pull; /* rate of the torque model per missing torque (1/s) */
     differential_output_torque_real M2_model_drag; /* decay of that rate in a step */
     differential_output_torque_real M2_with_M1; /* coefficient of the virtual input of M1 */
@@ -318,16 +318,16 @@ typedef enum {
     differential_output_torque_controller_bad_M3_torque_ref_oscillation_limit = 2048, /* outside its range */
     differential_output_torque_controller_bad_M1_speed_ref_rate = 2049, /* outside its range */
     differential_output_torque_controller_bad_M3_speed_ref_rate = 2050, /* outside its range */
-    differential_output_torque_controller_bad_M1_speed_gain = 2051, /* outside its range */
-    differential_output_torque_controller_bad_M1_speed_integral_gain = 2052, /* outside its range */
-    differential_output_torque_controller_bad_M3_speed_gain = 2053, /* outside its range */
-    differential_output_torque_controller_bad_M3_speed_integral_gain = 2054, /* outside its range */
-    differential_output_torque_controller_bad_M2_sensor_inertia_M1 = 2055, /* outside its range */
-    differential_output_torque_controller_bad_M2_sensor_inertia_M3 = 2056, /* outside its range */
-    differential_output_torque_controller_bad_M2_inertia_estimate = 2057, /* outside its range */
-    differential_output_torque_controller_bad_M2_feedforward = 2058, /* outside its range */
-    differential_output_torque_controller_bad_M2_torque_gain = 2059, /* outside its range */
-    differential_output_torque_controller_bad_diff_output1_torque_ref_rate = 2060, /* outside its range */
+    differential_output_torque_controller_bad_diff_output1_torque_ref_rate = 2051, /* outside its range */
+    differential_output_torque_controller_bad_M1_speed_gain = 2052, /* outside its range */
+    differential_output_torque_controller_bad_M1_speed_integral_gain = 2053, /* outside its range */
+    differential_output_torque_controller_bad_M3_speed_gain = 2054, /* outside its range */
+    differential_output_torque_controller_bad_M3_speed_integral_gain = 2055, /* outside its range */
+    differential_output_torque_controller_bad_M2_sensor_inertia_M1 = 2056, /* outside its range */
+    differential_output_torque_controller_bad_M2_sensor_inertia_M3 = 2057, /* outside its range */
+    differential_output_torque_controller_bad_M2_inertia_estimate = 2058, /* outside its range */
+    differential_output_torque_controller_bad_M2_feedforward = 2059, /* outside its range */
+    differential_output_torque_controller_bad_M2_torque_gain = 2060, /* outside its range */
     differential_output_torque_controller_bad_M2_model_stiffness = 2061, /* outside its range */
     differential_output_torque_controller_bad_M2_model_damping = 2062, /* outside its range */
     differential_output_torque_controller_bad_M2_torque_model = 2063, /* outside its range */

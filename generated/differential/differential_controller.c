@@ -61,6 +61,7 @@ const differential_controller_params differential_controller_defaults = {
     .M3_torque_ref_oscillation_limit = 1850.0,
     .M2_speed_ref_rate = 359.223,
     .M3_speed_ref_rate = 359.223,
+    .diff_input_torque_ref_rate = 490453.0,
     .M2_speed_gain = 309.0,
     .M2_speed_integral_gain = 2317.5,
     .M3_speed_gain = 309.0,
@@ -70,7 +71,6 @@ const differential_controller_params differential_controller_defaults = {
     .M1_inertia_estimate = 1.032,
     .M1_feedforward = 1.0,
     .M1_torque_gain = 0.0,
-    .diff_input_torque_ref_rate = 490453.0,
     .M1_model_stiffness = 16537.8,
     .M1_model_damping = 261.282,
     .M1_torque_model = 1.0,
@@ -132,6 +132,7 @@ const differential_controller_params differential_controller_conventional = {
     .M3_torque_ref_oscillation_limit = 1850.0,
     .M2_speed_ref_rate = 359.223,
     .M3_speed_ref_rate = 359.223,
+    .diff_input_torque_ref_rate = 490453.0,
     .M2_speed_gain = 309.0,
     .M2_speed_integral_gain = 2317.5,
     .M3_speed_gain = 309.0,
@@ -141,7 +142,6 @@ const differential_controller_params differential_controller_conventional = {
     .M1_inertia_estimate = 1.032,
     .M1_feedforward = 1.0,
     .M1_torque_gain = 0.0,
-    .diff_input_torque_ref_rate = 490453.0,
     .M1_model_stiffness = 16537.8,
     .M1_model_damping = 261.282,
     .M1_torque_model = 0.0,
@@ -211,6 +211,7 @@ static const struct {
     { "the parameter M3_torque_ref_oscillation_limit is outside its range", offsetof(differential_controller_params, M3_torque_ref_oscillation_limit), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M2_speed_ref_rate is outside its range", offsetof(differential_controller_params, M2_speed_ref_rate), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M3_speed_ref_rate is outside its range", offsetof(differential_controller_params, M3_speed_ref_rate), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter diff_input_torque_ref_rate is outside its range", offsetof(differential_controller_params, diff_input_torque_ref_rate), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M2_speed_gain is outside its range", offsetof(differential_controller_params, M2_speed_gain), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M2_speed_integral_gain is outside its range", offsetof(differential_controller_params, M2_speed_integral_gain), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M3_speed_gain is outside its range", offsetof(differential_controller_params, M3_speed_gain), 0.0, DBL_MAX, 1, 0 },
@@ -220,7 +221,6 @@ static const struct {
     { "the parameter M1_inertia_estimate is outside its range", offsetof(differential_controller_params, M1_inertia_estimate), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M1_feedforward is outside its range", offsetof(differential_controller_params, M1_feedforward), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M1_torque_gain is outside its range", offsetof(differential_controller_params, M1_torque_gain), -1.0, DBL_MAX, 1, 0 },
-    { "the parameter diff_input_torque_ref_rate is outside its range", offsetof(differential_controller_params, diff_input_torque_ref_rate), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M1_model_stiffness is outside its range", offsetof(differential_controller_params, M1_model_stiffness), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M1_model_damping is outside its range", offsetof(differential_controller_params, M1_model_damping), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M1_torque_model is outside its range", offsetof(differential_controller_params, M1_torque_model), 0.0, 1.0, 0, 0 },
@@ -358,13 +358,13 @@ differential_controller_status differential_controller_update(differential_contr
     s->mean_share = 6.2832 * p->oscillation_frequency * p->sample_time;
     s->M2_speed_ref_step = p->M2_speed_ref_rate * p->sample_time;
     s->M3_speed_ref_step = p->M3_speed_ref_rate * p->sample_time;
+    s->diff_input_torque_ref_step = p->diff_input_torque_ref_rate * p->sample_time;
     s->M2_speed_growth = p->M2_speed_integral_gain * p->sample_time;
     s->M2_speed_conditioning = p->M2_speed_integral_gain * p->sample_time / p->M2_speed_gain;
     s->M3_speed_growth = p->M3_speed_integral_gain * p->sample_time;
     s->M3_speed_conditioning = p->M3_speed_integral_gain * p->sample_time / p->M3_speed_gain;
     s->M1_unread_M2 = p->M1_sensor_inertia_M2 / p->M2_inertia;
     s->M1_unread_M3 = p->M1_sensor_inertia_M3 / p->M3_inertia;
-    s->diff_input_torque_ref_step = p->diff_input_torque_ref_rate * p->sample_time;
     s->M1_model_pull = p->M1_model_stiffness * p->sample_time / p->M1_inertia_estimate;
     s->M1_model_drag = p->M1_model_damping * p->sample_time / p->M1_inertia_estimate;
     s->M1_with_M2 = (0.5) * p->M1_inertia_estimate * p->diff_ratio / p->M2_inertia;
@@ -689,6 +689,17 @@ differential_controller_status differential_controller_step(differential_control
     const differential_real M3_speed_ref_before = s->M3_speed_ref_limited;
     s->M3_speed_ref_limited = M3_speed_ref_before + differential_max(-s->M3_speed_ref_step,
         differential_min(s->M3_speed_ref_step, -M3_speed_ref_before + s->M3_speed_ref_held));
+    /* testing torque while nothing accelerates (5.95), (5.96) */
+    const differential_real diff_input_torque_steady = s->flange1_torque_held;
+    if (s->running <= 0.5) {
+        /* the first step, and the first one after a fault, starts anew */
+        s->diff_input_torque_ref_limited = diff_input_torque_steady;
+    }
+    /* limit of the rate */
+    const differential_real diff_input_torque_ref_before = s->diff_input_torque_ref_limited;
+    s->diff_input_torque_ref_limited = diff_input_torque_ref_before +
+        differential_max(-s->diff_input_torque_ref_step, differential_min(s->diff_input_torque_ref_step,
+        -diff_input_torque_ref_before + s->diff_input_torque_ref_held));
     const differential_real M2_speed_error = -s->M2_speed_held + s->M2_speed_ref_limited;
     /* load torque compensation (5.52), (5.74) */
     const differential_real M2_compensation = -s->flange2_torque_held;
@@ -729,19 +740,10 @@ differential_controller_status differential_controller_step(differential_control
     const differential_real M3_net = M3_command - M3_compensation;
     /* testing torque from the sensors (5.95), (5.96), (5.98) */
     const differential_real diff_input_torque_estimate = s->M1_unread_M2 * M2_net + s->M1_unread_M3 * M3_net +
-        s->flange1_torque_held;
+        diff_input_torque_steady;
     if (s->running <= 0.5) {
         /* the first step, and the first one after a fault, starts anew */
-        s->diff_input_torque_ref_limited = diff_input_torque_estimate;
-    }
-    /* limit of the rate */
-    const differential_real diff_input_torque_ref_before = s->diff_input_torque_ref_limited;
-    s->diff_input_torque_ref_limited = diff_input_torque_ref_before +
-        differential_max(-s->diff_input_torque_ref_step, differential_min(s->diff_input_torque_ref_step,
-        -diff_input_torque_ref_before + s->diff_input_torque_ref_held));
-    if (s->running <= 0.5) {
-        /* the first step, and the first one after a fault, starts anew */
-        s->M1_model_torque = diff_input_torque_estimate;
+        s->M1_model_torque = diff_input_torque_steady;
     }
     /* torque model (5.57), (5.76) */
     const differential_real M1_model_before = s->M1_model_torque;

@@ -51,13 +51,13 @@ const transmission_fixed_gear_controller_params transmission_fixed_gear_controll
     .M1_torque_ref_oscillation_limit = 450.0,
     .M2_torque_ref_oscillation_limit = 1650.0,
     .M2_speed_ref_rate = 733.333,
+    .gearbox_input_torque_ref_rate = 90355.1,
     .M2_speed_gain = 112.5,
     .M2_speed_integral_gain = 703.125,
     .M1_sensor_inertia_M2 = -0.0313,
     .M1_inertia_estimate = 0.41,
     .M1_feedforward = 1.0,
     .M1_torque_gain = 0.0,
-    .gearbox_input_torque_ref_rate = 90355.1,
     .M1_model_stiffness = 3011.27,
     .M1_model_damping = 70.2744,
     .M1_torque_model = 1.0,
@@ -108,13 +108,13 @@ const transmission_fixed_gear_controller_params transmission_fixed_gear_controll
     .M1_torque_ref_oscillation_limit = 450.0,
     .M2_torque_ref_oscillation_limit = 1650.0,
     .M2_speed_ref_rate = 733.333,
+    .gearbox_input_torque_ref_rate = 90355.1,
     .M2_speed_gain = 112.5,
     .M2_speed_integral_gain = 703.125,
     .M1_sensor_inertia_M2 = -0.0313,
     .M1_inertia_estimate = 0.41,
     .M1_feedforward = 1.0,
     .M1_torque_gain = 0.0,
-    .gearbox_input_torque_ref_rate = 90355.1,
     .M1_model_stiffness = 3011.27,
     .M1_model_damping = 70.2744,
     .M1_torque_model = 0.0,
@@ -173,13 +173,13 @@ static const struct {
     { "the parameter M1_torque_ref_oscillation_limit is outside its range", offsetof(transmission_fixed_gear_controller_params, M1_torque_ref_oscillation_limit), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M2_torque_ref_oscillation_limit is outside its range", offsetof(transmission_fixed_gear_controller_params, M2_torque_ref_oscillation_limit), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M2_speed_ref_rate is outside its range", offsetof(transmission_fixed_gear_controller_params, M2_speed_ref_rate), 0.0, DBL_MAX, 1, 0 },
+    { "the parameter gearbox_input_torque_ref_rate is outside its range", offsetof(transmission_fixed_gear_controller_params, gearbox_input_torque_ref_rate), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M2_speed_gain is outside its range", offsetof(transmission_fixed_gear_controller_params, M2_speed_gain), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M2_speed_integral_gain is outside its range", offsetof(transmission_fixed_gear_controller_params, M2_speed_integral_gain), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M1_sensor_inertia_M2 is outside its range", offsetof(transmission_fixed_gear_controller_params, M1_sensor_inertia_M2), -DBL_MAX, DBL_MAX, 0, 0 },
     { "the parameter M1_inertia_estimate is outside its range", offsetof(transmission_fixed_gear_controller_params, M1_inertia_estimate), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M1_feedforward is outside its range", offsetof(transmission_fixed_gear_controller_params, M1_feedforward), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M1_torque_gain is outside its range", offsetof(transmission_fixed_gear_controller_params, M1_torque_gain), -1.0, DBL_MAX, 1, 0 },
-    { "the parameter gearbox_input_torque_ref_rate is outside its range", offsetof(transmission_fixed_gear_controller_params, gearbox_input_torque_ref_rate), 0.0, DBL_MAX, 1, 0 },
     { "the parameter M1_model_stiffness is outside its range", offsetof(transmission_fixed_gear_controller_params, M1_model_stiffness), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M1_model_damping is outside its range", offsetof(transmission_fixed_gear_controller_params, M1_model_damping), 0.0, DBL_MAX, 0, 0 },
     { "the parameter M1_torque_model is outside its range", offsetof(transmission_fixed_gear_controller_params, M1_torque_model), 0.0, 1.0, 0, 0 },
@@ -292,10 +292,10 @@ transmission_fixed_gear_controller_status transmission_fixed_gear_controller_upd
     s->forgotten_swings = p->oscillation_frequency * p->sample_time;
     s->mean_share = 6.2832 * p->oscillation_frequency * p->sample_time;
     s->M2_speed_ref_step = p->M2_speed_ref_rate * p->sample_time;
+    s->gearbox_input_torque_ref_step = p->gearbox_input_torque_ref_rate * p->sample_time;
     s->M2_speed_growth = p->M2_speed_integral_gain * p->sample_time;
     s->M2_speed_conditioning = p->M2_speed_integral_gain * p->sample_time / p->M2_speed_gain;
     s->M1_unread_M2 = p->M1_sensor_inertia_M2 / p->M2_inertia;
-    s->gearbox_input_torque_ref_step = p->gearbox_input_torque_ref_rate * p->sample_time;
     s->M1_model_pull = p->M1_model_stiffness * p->sample_time / p->M1_inertia_estimate;
     s->M1_model_drag = p->M1_model_damping * p->sample_time / p->M1_inertia_estimate;
     s->M1_torque_growth = p->M1_torque_integral_gain * p->sample_time;
@@ -586,6 +586,18 @@ transmission_fixed_gear_controller_status transmission_fixed_gear_controller_ste
     const transmission_fixed_gear_real M2_speed_ref_before = s->M2_speed_ref_limited;
     s->M2_speed_ref_limited = M2_speed_ref_before + transmission_fixed_gear_max(-s->M2_speed_ref_step,
         transmission_fixed_gear_min(s->M2_speed_ref_step, -M2_speed_ref_before + s->M2_speed_ref_held));
+    /* testing torque while nothing accelerates (5.95), (5.96) */
+    const transmission_fixed_gear_real gearbox_input_torque_steady = s->flange1_torque_held;
+    if (s->running <= 0.5) {
+        /* the first step, and the first one after a fault, starts anew */
+        s->gearbox_input_torque_ref_limited = gearbox_input_torque_steady;
+    }
+    /* limit of the rate */
+    const transmission_fixed_gear_real gearbox_input_torque_ref_before = s->gearbox_input_torque_ref_limited;
+    s->gearbox_input_torque_ref_limited = gearbox_input_torque_ref_before +
+        transmission_fixed_gear_max(-s->gearbox_input_torque_ref_step,
+        transmission_fixed_gear_min(s->gearbox_input_torque_ref_step, -gearbox_input_torque_ref_before +
+        s->gearbox_input_torque_ref_held));
     const transmission_fixed_gear_real M2_speed_error = -s->M2_speed_held + s->M2_speed_ref_limited;
     /* load torque compensation (5.52), (5.74) */
     const transmission_fixed_gear_real M2_compensation = -s->flange2_torque_held;
@@ -609,20 +621,10 @@ transmission_fixed_gear_controller_status transmission_fixed_gear_controller_ste
     const transmission_fixed_gear_real M2_net = M2_command - M2_compensation;
     /* testing torque from the sensors (5.95), (5.96), (5.98) */
     const transmission_fixed_gear_real gearbox_input_torque_estimate = s->M1_unread_M2 * M2_net +
-        s->flange1_torque_held;
+        gearbox_input_torque_steady;
     if (s->running <= 0.5) {
         /* the first step, and the first one after a fault, starts anew */
-        s->gearbox_input_torque_ref_limited = gearbox_input_torque_estimate;
-    }
-    /* limit of the rate */
-    const transmission_fixed_gear_real gearbox_input_torque_ref_before = s->gearbox_input_torque_ref_limited;
-    s->gearbox_input_torque_ref_limited = gearbox_input_torque_ref_before +
-        transmission_fixed_gear_max(-s->gearbox_input_torque_ref_step,
-        transmission_fixed_gear_min(s->gearbox_input_torque_ref_step, -gearbox_input_torque_ref_before +
-        s->gearbox_input_torque_ref_held));
-    if (s->running <= 0.5) {
-        /* the first step, and the first one after a fault, starts anew */
-        s->M1_model_torque = gearbox_input_torque_estimate;
+        s->M1_model_torque = gearbox_input_torque_steady;
     }
     /* torque model (5.57), (5.76) */
     const transmission_fixed_gear_real M1_model_before = s->M1_model_torque;

@@ -52,13 +52,13 @@ typedef struct {
     transmission_fixed_gear_real M1_torque_ref_oscillation_limit; /* amplitude with which M1_torque_ref may oscillate (N m) */
     transmission_fixed_gear_real M2_torque_ref_oscillation_limit; /* amplitude with which M2_torque_ref may oscillate (N m) */
     transmission_fixed_gear_real M2_speed_ref_rate; /* largest rate of M2_speed_ref (rad/s^2) */
+    transmission_fixed_gear_real gearbox_input_torque_ref_rate; /* largest rate of gearbox_input_torque_ref (N m/s) */
     transmission_fixed_gear_real M2_speed_gain; /* proportional gain of the speed of M2 (N m s/rad) */
     transmission_fixed_gear_real M2_speed_integral_gain; /* integral gain of the speed of M2 (N m/rad) */
     transmission_fixed_gear_real M1_sensor_inertia_M2; /* torque of M1 that its sensors miss, per acceleration of M2 (kg m^2) */
     transmission_fixed_gear_real M1_inertia_estimate; /* inertia that M1 accelerates (5.78) (kg m^2) */
     transmission_fixed_gear_real M1_feedforward; /* share of the torque reference fed forward to M1 */
     transmission_fixed_gear_real M1_torque_gain; /* proportional gain of the torque control of M1, above -1 (5.115a) */
-    transmission_fixed_gear_real gearbox_input_torque_ref_rate; /* largest rate of gearbox_input_torque_ref (N m/s) */
     transmission_fixed_gear_real M1_model_stiffness; /* stiffness in the torque model of M1 (N m/rad) */
     transmission_fixed_gear_real M1_model_damping; /* damping in the torque model of M1 (N m s/rad) */
     transmission_fixed_gear_real M1_torque_model; /* switch of the torque model of M1, 0 to 1 */
@@ -146,8 +146,8 @@ typedef struct {
     transmission_fixed_gear_real M2_torque_ref_side; /* side on which M2_torque_ref last was beyond the limit */
     transmission_fixed_gear_real M2_torque_ref_swings; /* half swings of M2_torque_ref, forgotten in time */
     transmission_fixed_gear_real M2_speed_ref_limited; /* M2_speed_ref behind its rate limiter (rad/s) */
-    transmission_fixed_gear_real M2_speed_integral; /* integrator of the speed control of M2 (N m) */
     transmission_fixed_gear_real gearbox_input_torque_ref_limited; /* gearbox_input_torque_ref behind its rate limiter (N m) */
+    transmission_fixed_gear_real M2_speed_integral; /* integrator of the speed control of M2 (N m) */
     transmission_fixed_gear_real M1_model_torque; /* torque that the feedforward to M1 should give (N m) */
     transmission_fixed_gear_real M1_model_rate; /* rate of the torque model of M1 (N m/s) */
     transmission_fixed_gear_real M1_torque_integral; /* integrator of the torque control of M1 (N m) */
@@ -173,10 +173,10 @@ typedef struct {
     transmission_fixed_gear_real forgotten_swings; /* half swings that are forgotten per step */
     transmission_fixed_gear_real mean_share; /* share of a step in the mean of a torque */
     transmission_fixed_gear_real M2_speed_ref_step; /* largest change of M2_speed_ref in a step (rad/s) */
+    transmission_fixed_gear_real gearbox_input_torque_ref_step; /* largest change of gearbox_input_torque_ref in a step (N m) */
     transmission_fixed_gear_real M2_speed_growth; /* growth of the integrator per error (N m s/rad) */
     transmission_fixed_gear_real M2_speed_conditioning; /* growth per torque cut off */
     transmission_fixed_gear_real M1_unread_M2; /* the same per net torque */
-    transmission_fixed_gear_real gearbox_input_torque_ref_step; /* largest change of gearbox_input_torque_ref in a step (N m) */
     transmission_fixed_gear_real M1_model_pull; /* rate of the torque model per missing torque (1/s) */
     transmission_fixed_gear_real M1_model_drag; /* decay of that rate in a step */
     transmission_fixed_gear_real M1_torque_growth; /* growth of the integrator per error */
@@ -250,13 +250,13 @@ typedef enum {
     transmission_fixed_gear_controller_bad_M1_torque_ref_oscillation_limit = 2038, /* outside its range */
     transmission_fixed_gear_controller_bad_M2_torque_ref_oscillation_limit = 2039, /* outside its range */
     transmission_fixed_gear_controller_bad_M2_speed_ref_rate = 2040, /* outside its range */
-    transmission_fixed_gear_controller_bad_M2_speed_gain = 2041, /* outside its range */
-    transmission_fixed_gear_controller_bad_M2_speed_integral_gain = 2042, /* outside its range */
-    transmission_fixed_gear_controller_bad_M1_sensor_inertia_M2 = 2043, /* outside its range */
-    transmission_fixed_gear_controller_bad_M1_inertia_estimate = 2044, /* outside its range */
-    transmission_fixed_gear_controller_bad_M1_feedforward = 2045, /* outside its range */
-    transmission_fixed_gear_controller_bad_M1_torque_gain = 2046, /* outside its range */
-    transmission_fixed_gear_controller_bad_gearbox_input_torque_ref_rate = 2047, /* outside its range */
+    transmission_fixed_gear_controller_bad_gearbox_input_torque_ref_rate = 2041, /* outside its range */
+    transmission_fixed_gear_controller_bad_M2_speed_gain = 2042, /* outside its range */
+    transmission_fixed_gear_controller_bad_M2_speed_integral_gain = 2043, /* outside its range */
+    transmission_fixed_gear_controller_bad_M1_sensor_inertia_M2 = 2044, /* outside its range */
+    transmission_fixed_gear_controller_bad_M1_inertia_estimate = 2045, /* outside its range */
+    transmission_fixed_gear_controller_bad_M1_feedforward = 2046, /* outside its range */
+    transmission_fixed_gear_controller_bad_M1_torque_gain = 2047, /* outside its range */
     transmission_fixed_gear_controller_bad_M1_model_stiffness = 2048, /* outside its range */
     transmission_fixed_gear_controller_bad_M1_model_damping = 2049, /* outside its range */
     transmission_fixed_gear_controller_bad_M1_torque_model = 2050, /* outside its range */

@@ -5,6 +5,7 @@ Every step runs in this order:
 1. *Supervision.* An input that is not finite, or larger than plausible, is replaced by its last sound value; the
    fault is latched with the number of the signal, and the last torques are taken to zero along a ramp.
 2. *Switches and dampings* follow their parameters along a ramp, references pass rate limiters, ratios that change too.
+   What has passed them may be shaped by a governor, see `ptgen.control.shaper`.
 3. *Speed control.* PI (5.84) with anti-windup by conditioning (Hanus), or P with disturbance observer (5.92).
 4. *Load torque compensation* (5.52), (5.74): the machine's own flange torque, times `load_compensation`.
 5. *Torque control.* Feedforward and feedback (5.99) on the testing torque from the sensors (5.95), (5.96), (5.98). The
@@ -26,13 +27,14 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ptgen.block.block import Block
+from ptgen.block.block import Assign, Block
 from ptgen.control.decoupling import Decoupling
 from ptgen.control.envelope import envelope
 from ptgen.control.loss_map import loss_torques
 from ptgen.control.ratios import changing_ratios, ratio_bounds, ratio_inputs
 from ptgen.control.references import pair_bounds, reference_inputs, speed_references
 from ptgen.control.release import release
+from ptgen.control.shaper import Shaper, shaped_reference
 from ptgen.control.speed_control import speed_control
 from ptgen.control.supervision import supervise
 from ptgen.control.switches import follow
@@ -41,12 +43,15 @@ from ptgen.control.torque_control import (
     active_damping,
     torque_command,
     torque_feedback,
+    torque_reference,
     unread_torque,
 )
 from ptgen.control.tuning import Gains
+from ptgen.control.unlimited_law import unlimited_law
 from ptgen.control.watching import watch
-from ptgen.control.writer import ControllerWriter
+from ptgen.control.writer import ControllerWriter, signal_symbol
 from ptgen.mechanism.model import Model
+from ptgen.plant.layout import signal_name
 from ptgen.testbed.testbed import Tuning
 
 __all__ = ["ControllerBlock", "controller_block", "conventional_parameters"]
@@ -63,7 +68,12 @@ class ControllerBlock:
 
 
 def controller_block(
-    decoupling: Decoupling, gains: Gains, tuning: Tuning, full: Model, sample_time: float
+    decoupling: Decoupling,
+    gains: Gains,
+    tuning: Tuning,
+    full: Model,
+    sample_time: float,
+    shaper: Shaper | None = None,
 ) -> ControllerBlock:
     """Return the controller of a bed as a block.
 
@@ -76,6 +86,8 @@ def controller_block(
         The full model; it tells which signals are plausible.
     sample_time : float
         Nominal step (s).
+    shaper : Shaper, optional
+        What the references pass before the control law.
     """
     w = ControllerWriter(decoupling, gains, tuning, full)
     law = decoupling.law
@@ -101,7 +113,19 @@ def controller_block(
     ratio_rates = changing_ratios(w, measured)
     watch(w, names, measured, h)
     losses = loss_torques(w, measured)
-    wanted_speeds = speed_references(w, measured)
+    limited = speed_references(w, measured)
+    for index, machine in enumerate(torque_machines):
+        name = decoupling.machines[machine]
+        steady = w.sensor_sum(f"{name}_read", law.estimate_sensors[index, :], measured) + w.loss_sum(
+            f"{name}_read", law.estimate_losses[index, :], losses
+        )
+        limited[name] = torque_reference(w, index, machine, steady, measured)
+    of_machines = [limited[name] for name in decoupling.machines]
+    law_begins = len(w.statements)
+    given = {
+        name: reference.limited if shaper is None else signal_symbol(shaped_reference(reference))
+        for name, reference in limited.items()
+    }
     net: dict[int, sp.Symbol] = {}
     commands: dict[int, sp.Symbol] = {}
     for position, machine in enumerate(speed_machines, start=decoupling.torque_count):
@@ -111,20 +135,17 @@ def controller_block(
             + w.loss_sum(f"{name}_load", law.R_losses[machine, :], losses)
             + w.rate_sum(f"{name}_load", machine, ratio_rates, measured)
         )
-        result = speed_control(
-            w, machine, position, load, compensation, envelopes[machine], wanted_speeds[name], measured
-        )
+        result = speed_control(w, machine, position, load, compensation, envelopes[machine], given[name], measured)
         commands[machine], net[position] = result.command, result.net
     feedback: dict[int, TorqueFeedback] = {}
     for index, machine in enumerate(torque_machines):
         name = decoupling.machines[machine]
         estimate = (
-            w.sensor_sum(f"{name}_read", law.estimate_sensors[index, :], measured)
-            + w.loss_sum(f"{name}_read", law.estimate_losses[index, :], losses)
+            limited[name].present
             + w.virtual_sum(f"{name}_read", law.estimate_virtual[index, :], net)
             + unread_torque(w, machine, net)
         )
-        feedback[index] = torque_feedback(w, index, machine, estimate, measured)
+        feedback[index] = torque_feedback(w, index, machine, estimate, given[name], limited[name].present)
     asked = {index: part.virtual for index, part in feedback.items()}
     for index, machine in enumerate(torque_machines):
         name, row = decoupling.machines[machine], law.P[machine, :]
@@ -138,6 +159,22 @@ def controller_block(
         )
         damping = active_damping(w, machine, dampings, measured)
         commands[machine] = torque_command(w, index, machine, feedback[index], wanted, damping, envelopes[machine])
+    if shaper is not None:
+        control = w.statements[law_begins:]
+        del w.statements[law_begins:]
+        anew = [s for s in control if isinstance(s, Assign) and s.condition is not None]
+        w.statements += anew  # what starts anew does so before the law is looked at
+        shaped = [signal_symbol(shaped_reference(reference)) for reference in of_machines]
+        ordered = [envelopes[machine] for machine in range(len(of_machines))]
+        unlimited = unlimited_law(
+            control,
+            ordered,
+            shaped,
+            [commands[machine] for machine in range(len(of_machines))],
+            [f"{signal_name(place)}_estimate" for place in decoupling.outputs[: decoupling.torque_count]],
+        )
+        shaper.shape(w, of_machines, unlimited, ordered, measured, losses)
+        w.statements += [statement for statement in control if statement not in anew]
     outputs = release(w, commands, h)
     block = Block(
         name="controller",
@@ -150,6 +187,7 @@ def controller_block(
         prepare=tuple(w.preparation),
         step=(*w.statements[:supervision], *w.restart, *w.statements[supervision:]),
         faults=tuple(w.faults),
+        arrays=tuple(w.arrays.values()),
     )
     return ControllerBlock(block, conventional_parameters(decoupling, gains), references)
 

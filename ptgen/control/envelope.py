@@ -31,6 +31,29 @@ class Envelope:
         """Return `torque` within a share of the envelope."""
         return greatest_of(share * self.least, smallest_of(share * self.most, torque))
 
+    def opened(self, expression: sp.Expr) -> tuple[sp.Expr, list[tuple[sp.Expr, sp.Expr]]]:
+        """Return an expression without what `clamp` did to it, and each share that it limited a torque to.
+
+        Examples
+        --------
+        >>> least, most, torque = sp.symbols("least most torque", real=True)
+        >>> envelope = Envelope(least, most)
+        >>> envelope.opened(1 + envelope.clamp(torque, sp.Rational(1, 2)))
+        (torque + 1, [(1/2, torque)])
+        """
+        found = [part for part in sp.preorder_traversal(expression) if self._is_clamp(part)]
+        clamped = []
+        for part in found:
+            inner = next(argument for argument in part.args if isinstance(argument, sp.Min))
+            torque = next(argument for argument in inner.args if self.most not in argument.free_symbols)
+            limit = next(argument for argument in inner.args if argument is not torque)
+            clamped.append((limit / self.most, torque))
+            expression = expression.xreplace({part: torque})
+        return expression, clamped
+
+    def _is_clamp(self, part: sp.Basic) -> bool:
+        return isinstance(part, sp.Max) and {self.least, self.most} <= part.free_symbols
+
 
 def envelope(w: ControllerWriter, machine: int, measured: Mapping[str, sp.Symbol]) -> Envelope:
     """Return what is available to a machine at its measured speed."""

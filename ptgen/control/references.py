@@ -9,6 +9,7 @@ In the first step a limited reference starts where the bed is.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 
 import sympy as sp
 
@@ -19,7 +20,32 @@ from ptgen.control.writer import ControllerWriter, greatest_of, signal_symbol, s
 from ptgen.plant.layout import signal_name
 from ptgen.testbed.testbed import Tuning
 
-__all__ = ["limited", "pair_bounds", "pair_rates", "reference_inputs", "speed_references"]
+__all__ = ["Reference", "limited", "pair_bounds", "pair_rates", "reference_inputs", "speed_references"]
+
+
+@dataclass(frozen=True)
+class Reference:
+    """What a machine shall do, behind the limits of the rates.
+
+    Attributes
+    ----------
+    signal : str
+        Its name, such as ``diff_input_torque_ref`` or ``M2_speed_ref``.
+    unit : str
+        N m or rad/s.
+    limited : Expr
+        Its value in this step.
+    step : Expr
+        By how much that may change in a step.
+    present : Expr
+        What the bed does now.
+    """
+
+    signal: str
+    unit: str
+    limited: sp.Expr
+    step: sp.Expr
+    present: sp.Expr
 
 
 def reference_inputs(design: Decoupling, tuning: Tuning) -> dict[str, str]:
@@ -83,9 +109,9 @@ def limited(
     return w.assign(state.name, before + greatest_of(-step, smallest_of(step, target - before)))
 
 
-def speed_references(w: ControllerWriter, measured: Mapping[str, sp.Symbol]) -> dict[str, sp.Expr]:
+def speed_references(w: ControllerWriter, measured: Mapping[str, sp.Symbol]) -> dict[str, Reference]:
     """Return the limited speed reference of each speed-controlled machine."""
-    result: dict[str, sp.Expr] = {}
+    result: dict[str, Reference] = {}
     machines = {w.design.machines[k]: k for k in w.design.actuators[w.design.torque_count :]}
     speeds = {name: measured[w.speed_sensor(k)] for name, k in machines.items()}
     half = sp.Rational(1, 2)
@@ -97,9 +123,12 @@ def speed_references(w: ControllerWriter, measured: Mapping[str, sp.Symbol]) -> 
             limited(w, name, "rad/s", measured[name], start, rate)
             for name, start, rate in zip(names, starts, rates, strict=True)
         )
-        result[first], result[second] = mean + half * difference, mean - half * difference
+        step = signal_symbol(f"{names[0]}_step") + half * signal_symbol(f"{names[1]}_step")
+        for name, sign in ((first, 1), (second, -1)):
+            result[name] = Reference(f"{name}_speed_ref", "rad/s", mean + sign * half * difference, step, speeds[name])
     for name, speed in speeds.items():
         if name not in result:
             signal = f"{name}_speed_ref"
-            result[name] = limited(w, signal, "rad/s", measured[signal], speed, w.gains.speed_rate[name])
+            now = limited(w, signal, "rad/s", measured[signal], speed, w.gains.speed_rate[name])
+            result[name] = Reference(signal, "rad/s", now, signal_symbol(f"{signal}_step"), speed)
     return result

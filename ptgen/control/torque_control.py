@@ -8,12 +8,19 @@ from dataclasses import dataclass
 import sympy as sp
 
 from ptgen.control.envelope import Envelope
-from ptgen.control.references import limited
+from ptgen.control.references import Reference, limited
 from ptgen.control.writer import ControllerWriter, greatest_of, signal_symbol, smallest_of
 from ptgen.mechanism.model import evaluate_matrix
 from ptgen.plant.layout import signal_name
 
-__all__ = ["TorqueFeedback", "active_damping", "torque_command", "torque_feedback", "unread_torque"]
+__all__ = [
+    "TorqueFeedback",
+    "active_damping",
+    "torque_command",
+    "torque_feedback",
+    "torque_reference",
+    "unread_torque",
+]
 
 
 @dataclass(frozen=True)
@@ -24,10 +31,36 @@ class TorqueFeedback:
     error: sp.Symbol
 
 
+def torque_reference(
+    w: ControllerWriter, index: int, machine: int, steady: sp.Expr, measured: Mapping[str, sp.Symbol]
+) -> Reference:
+    """Return the limited reference of a torque; it starts where the testing torque is while nothing accelerates.
+
+    It stands before the control of the speeds, whose torques the whole estimate would need.
+    """
+    place = signal_name(w.design.outputs[index])
+    start = w.assign(f"{place}_steady", steady, "testing torque while nothing accelerates (5.95), (5.96)")
+    signal, rate = f"{place}_ref", w.gains.torque_rate[w.design.machines[machine]]
+    now = limited(w, signal, "N m", measured[signal], start, rate, here=True)
+    return Reference(signal, "N m", now, signal_symbol(f"{signal}_step"), start)
+
+
 def torque_feedback(
-    w: ControllerWriter, index: int, machine: int, estimate: sp.Expr, measured: Mapping[str, sp.Symbol]
+    w: ControllerWriter, index: int, machine: int, estimate: sp.Expr, reference: sp.Expr, start: sp.Expr
 ) -> TorqueFeedback:
-    """Write the I or PI control of a torque (5.99)."""
+    """Write the I or PI control of a torque (5.99).
+
+    Parameters
+    ----------
+    w : ControllerWriter
+    index, machine : int
+        The torque among the controlled ones, and its machine.
+    estimate : Expr
+        Of the torque, from sensors and net torques (N m).
+    reference : Expr
+    start : Expr
+        Where the torque model starts (N m).
+    """
     design, name = w.design, w.design.machines[machine]
     place = signal_name(design.outputs[index])
     w.parameter(
@@ -49,9 +82,7 @@ def torque_feedback(
         allowed=False,
     )
     torque = w.assign(f"{place}_estimate", estimate, "testing torque from the sensors (5.95), (5.96), (5.98)")
-    signal = f"{place}_ref"
-    reference = limited(w, signal, "N m", measured[signal], torque, w.gains.torque_rate[name], here=True)
-    expected = _expected_torque(w, name, reference, torque)
+    expected = _expected_torque(w, name, reference, start)
     error = w.assign(f"{name}_torque_error", expected - torque)
     integral = w.state(f"{name}_torque_integral", "N m", f"integrator of the torque control of {name}")
     before = w.assign(f"{name}_integral_before", w.previous(integral, sp.Integer(0)), "torque control (5.99)")
@@ -159,7 +190,7 @@ def unread_torque(w: ControllerWriter, machine: int, net: Mapping[int, sp.Symbol
     return sp.Add(*terms)
 
 
-def _expected_torque(w: ControllerWriter, name: str, reference: sp.Symbol, start: sp.Expr) -> sp.Expr:
+def _expected_torque(w: ControllerWriter, name: str, reference: sp.Expr, start: sp.Expr) -> sp.Expr:
     """Return the torque that the feedforward alone should give by now: the reference behind (5.57).
 
     The controller corrects what differs from it. Against the bare reference the integrator would charge during

@@ -67,6 +67,8 @@ class ControllerWriter:
         """Where every state starts; stands behind the supervision of the inputs."""
         self.faults: list[Fault] = []
         self.derived: dict[str, Signal] = {}
+        self.arrays: dict[str, Signal] = {}
+        """Local arrays, which kernels read and write."""
         self.preparation: list[Statement] = []
         self.plausible: dict[str, float] = {}
         """Largest plausible value of inputs that are no signals of the bed."""
@@ -118,6 +120,11 @@ class ControllerWriter:
         self.states[name] = Signal(name, unit, text, value=value, monitor=monitor)
         return signal_symbol(name)
 
+    def array(self, name: str, text: str, *shape: int) -> str:
+        """Declare a local array and return its name."""
+        self.arrays[name] = Signal(name, "", text, shape)
+        return name
+
     def latch(self, causes: Sequence[tuple[Fault, Boolean]], name: str, source: str) -> None:
         """Declare faults, each with the condition under which all is well, and latch the one with the lowest status.
 
@@ -135,11 +142,16 @@ class ControllerWriter:
         self.assign("fault", sp.Piecewise((latched, latched > sp.Rational(1, 2)), (signal_symbol(name), True)))
 
     def call(
-        self, kernel: str, outputs: tuple[str, ...], inputs: tuple[str | sp.Symbol, ...], source: str = ""
+        self,
+        kernel: str,
+        outputs: tuple[str, ...],
+        inputs: tuple[str | sp.Symbol, ...],
+        source: str = "",
+        numbers: tuple[int, ...] = (),
     ) -> None:
-        """Add the call of a kernel; its inputs are signals."""
+        """Add the call of a kernel; its inputs are signals, `numbers` as in `ptgen.block.block.Call`."""
         names = tuple(item if isinstance(item, str) else item.name for item in inputs)
-        self.statements.append(Call(kernel, outputs, names, source))
+        self.statements.append(Call(kernel, outputs, names, source, numbers))
 
     def assign(
         self, target: str, expression: sp.Expr, source: str = "", *, condition: Boolean | None = None
