@@ -155,12 +155,14 @@ class _Selection:
         cost[self.n + machine] = -1.0 - self.epsilon / 2
         cost[self.n + self.m + machine] = -self.epsilon / 2
         self.lp.changeColsCost(len(cost), np.arange(len(cost), dtype=np.int32), cost)
-        self.lp.run()
-        self.programs += 1
-        if self.lp.getModelStatus() != highspy.HighsModelStatus.kOptimal:
-            raise ArithmeticError(f"HiGHS ended with {self.lp.getModelStatus()} on a bounded program")
-        # The objective of the dual bounds the primal one from above, whatever tolerances do.
-        return float(self.lp.getInfo().objective_function_value)
+        for anew in (False, True):
+            if anew:  # numerical trouble from a basis of before
+                self.lp.clearSolver()
+            self.lp.run()
+            self.programs += 1
+            if self.lp.getModelStatus() == highspy.HighsModelStatus.kOptimal:
+                return float(self.lp.getInfo().objective_function_value)
+        return np.inf  # a row that cannot be judged is kept
 
     def _select(self, machine: int) -> None:
         k, kept, stride = 1, 0, 2
