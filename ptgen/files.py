@@ -7,9 +7,31 @@ import tempfile
 from collections.abc import Callable, Mapping
 from pathlib import Path
 
-from ptgen.errors import Problem, PtgenError
+from ptgen.errors import Problem, PtgenError, RunError
 
-__all__ = ["replace_file", "write_file", "write_files"]
+__all__ = ["cache_folder", "replace_file", "write_file", "write_files"]
+
+
+def cache_folder() -> Path:
+    """Return the folder for what can be made again: ``$XDG_CACHE_HOME/ptgen`` or ``~/.cache/ptgen``, else a new one.
+
+    Raises
+    ------
+    RunError
+        If there is none, and none can be made.
+    """
+    base = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "ptgen"
+    try:
+        base.mkdir(parents=True, exist_ok=True)
+        if os.access(base, os.W_OK):
+            return base
+    except OSError:
+        pass
+    try:
+        return Path(tempfile.mkdtemp(prefix="ptgen-"))
+    except OSError as error:
+        what = f"no folder for compiled code can be made ({error})"
+        raise RunError(Problem("", what, "set XDG_CACHE_HOME to a folder you may write")) from None
 
 
 def replace_file(path: Path, content: bytes, check: Callable[[Path], None]) -> None:

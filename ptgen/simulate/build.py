@@ -3,14 +3,11 @@
 from __future__ import annotations
 
 import hashlib
-import os
-import tempfile
 from pathlib import Path
 
 from ptgen.emit.c_expressions import Precision
 from ptgen.emit.project import project_files
-from ptgen.errors import Problem, RunError
-from ptgen.files import write_files
+from ptgen.files import cache_folder, write_files
 from ptgen.project import Project
 from ptgen.simulate.compiler import FLAGS, compile_library, find_compiler
 from ptgen.simulate.library import Library
@@ -38,7 +35,7 @@ def build(project: Project, directory: Path | None = None, precision: Precision 
     prefix = project.testbed.name
     compiler = find_compiler()
     digest = hashlib.sha256(repr((sorted(files.items()), compiler, FLAGS)).encode()).hexdigest()
-    folder = directory if directory is not None else _cache() / f"{prefix}-{digest[:16]}"
+    folder = directory if directory is not None else cache_folder() / f"{prefix}-{digest[:16]}"
     write_files(folder, files)
     # The name tells the content: a library that is loaded already is never replaced.
     library = folder / f"lib{prefix}-{digest[:16]}.so"
@@ -46,21 +43,3 @@ def build(project: Project, directory: Path | None = None, precision: Precision 
         sources = [name for name in files if name.endswith(".c") and "/" not in name and name != f"{prefix}_main.c"]
         compile_library([folder / name for name in sources], library, compiler)
     return Library(library.resolve(), prefix, project.blocks(), precision)
-
-
-def _cache() -> Path:
-    base = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "ptgen"
-    try:
-        base.mkdir(parents=True, exist_ok=True)
-        if os.access(base, os.W_OK):
-            return base
-    except OSError:
-        pass
-    try:
-        return Path(tempfile.mkdtemp(prefix="ptgen-"))
-    except OSError as error:
-        raise RunError(
-            Problem(
-                "", f"no folder for compiled code can be made ({error})", "set XDG_CACHE_HOME to a folder you may write"
-            )
-        ) from None
