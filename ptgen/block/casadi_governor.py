@@ -114,8 +114,14 @@ class _Sequence:
         lower, upper = ca.if_else(crossed, middle, lower), ca.if_else(crossed, middle, upper)
         change = self.change[own]
         small = ca.sign(change) * ca.fmin(ca.fabs(change), self.given["rate_step"][own])
-        value = self._command(row, t) + self.gain[row, own] * small
-        lacking = ca.if_else(value > upper, value - upper, ca.if_else(value < lower, value - lower, 0.0))
+        still = self._command(row, t)
+        value = still + self.gain[row, own] * small
+        coupled: Any = 0.0
+        for other, _ in self.done:
+            coupled = ca.logic_or(coupled, self.gain[other, own] != 0)
+        above = ca.if_else(coupled, ca.fmax(still, value), value) - upper
+        below = ca.if_else(coupled, ca.fmin(still, value), value) - lower
+        lacking = ca.if_else(above > 0, above, ca.if_else(below < 0, below, 0.0))
         moved = self._give_way(row, lacking, t)
         worse: Any = 0.0
         for other, _ in self.done:

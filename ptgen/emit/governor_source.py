@@ -5,7 +5,7 @@ from __future__ import annotations
 from ptgen.block.block import Block, Call
 from ptgen.emit.c_expressions import Precision, literal
 from ptgen.shaping.dual_simplex import FEASIBLE, LEAST_PIVOT
-from ptgen.shaping.optimal import LIMITED, MARGIN, NOT_SOLVED, NOTHING_BINDS, SLACK
+from ptgen.shaping.optimal import LARGEST, LIMITED, MARGIN, NOT_SOLVED, NOTHING_BINDS, SLACK
 from ptgen.shaping.sequential import TOLERANCE, UNLIMITED
 
 __all__ = ["GOVERNORS", "governor_context", "uses_governor"]
@@ -51,6 +51,7 @@ def governor_context(
         "feasible": literal(max(FEASIBLE, least), precision),
         "least_pivot": literal(max(LEAST_PIVOT, least), precision),
         "margin": literal(max(MARGIN, least), precision),
+        "largest": literal(LARGEST, precision),
         "worse": literal(max(TOLERANCE, least), precision),
         "unlimited": literal(UNLIMITED, precision),
         "statuses": [literal(status, precision) for status in (NOTHING_BINDS, LIMITED, SLACK, NOT_SOLVED)],

@@ -19,9 +19,12 @@ from numpy.typing import NDArray
 from ptgen.shaping.dual_simplex import solve_program
 from ptgen.shaping.ties import leaders
 
-__all__ = ["LIMITED", "MARGIN", "NOTHING_BINDS", "NOT_SOLVED", "SLACK", "optimal_governor"]
+__all__ = ["LARGEST", "LIMITED", "MARGIN", "NOTHING_BINDS", "NOT_SOLVED", "SLACK", "optimal_governor"]
 
 Array = NDArray[np.float64]
+
+LARGEST = 1e30
+"""Deviations beyond this cannot be meant, and count as not finite."""
 
 MARGIN = 1e-9
 """By which share of the limits more than what lacks they are widened: a program with room is safe from rounding."""
@@ -92,7 +95,8 @@ def optimal_governor(
     m = given[1].shape[-1]
     shaped, slack, iterations, status = np.zeros((*batch, m)), np.zeros((*batch, m)), np.zeros(batch), np.zeros(batch)
     for index in np.ndindex(*batch):
-        one = _one(*(a[index] for a in given), counts=numbers[:m], most_iterations=numbers[m])
+        with np.errstate(over="ignore", invalid="ignore"):
+            one = _one(*(a[index] for a in given), counts=numbers[:m], most_iterations=numbers[m])
         shaped[index], slack[index], iterations[index], status[index] = one
     return shaped, slack, iterations, status
 
@@ -122,7 +126,7 @@ def _one(
         return fallback, np.zeros(m), 0.0, NOTHING_BINDS
     refuge = np.where(np.isfinite(fallback), fallback, before)
     numbers = (wanted, before, free, gain, least, most, deviation, weight, tie, group)
-    if not all(np.isfinite(array).all() for array in numbers):
+    if not (all(np.isfinite(array).all() for array in numbers) and np.abs(deviation).max() <= LARGEST):
         return refuge, np.zeros(m), 0.0, NOT_SOLVED
     change = wanted - before
     machine = np.repeat(np.arange(m), counts)

@@ -9,6 +9,7 @@ reference q with its row p:
    free, the earlier references give way: they are moved to the nearest point that keeps the row, see `_give_way`. For
    two equal machines that is the projection of the source's Figure 7.10. If that violated an earlier row,
    all of them are held back by the same share instead.
+   The change of q counts as well if it helps, unless an earlier row depends on q and might forbid it.
 2. Reference q is moved as far back from the wanted value as row p needs, and so that no earlier row gets worse.
 
 By (7.41) a reference stays between its last value and the wanted one. The modification (7.43) only keeps it from
@@ -53,7 +54,7 @@ def sequential_governor(
     group: Array,
     *order: int,
 ) -> Array:
-    """Return shaped references (m,); those of the last step if an input is not finite.
+    """Return shaped references (m,); those of the last step if an input is not finite or results would not be.
 
     All arrays may have leading batch axes.
 
@@ -91,8 +92,10 @@ def sequential_governor(
             continue
         names = ("wanted", "before", "free", "gain", "least", "most", "reserve", "rate_step")
         vectors = dict(zip(names, one, strict=False))
-        problem = _Problem(**vectors, tie=float(one[8]), modified=bool(one[9] > 0.5), group=one[10])
-        shaped[index] = problem.solve(pairs)
+        with np.errstate(over="ignore", invalid="ignore"):
+            problem = _Problem(**vectors, tie=float(one[8]), modified=bool(one[9] > 0.5), group=one[10])
+            result = problem.solve(pairs)
+        shaped[index] = result if np.isfinite(result).all() else one[1]
     return shaped
 
 
@@ -152,8 +155,13 @@ class _Problem:
         if lower > upper:
             lower = upper = 0.5 * (lower + upper)
         small = np.sign(self.change[own]) * min(abs(self.change[own]), self.rate_step[own])
-        value = self._command(row, self.t) + self.gain[row, own] * small
-        lacking = value - upper if value > upper else value - lower if value < lower else 0.0
+        still = self._command(row, self.t)
+        value = still + self.gain[row, own] * small
+        # Earlier rows may keep `own` from moving, so it cannot be counted on.
+        coupled = any(self.gain[other, own] != 0.0 for other, _ in self.earlier)
+        above = (max(still, value) if coupled else value) - upper
+        below = (min(still, value) if coupled else value) - lower
+        lacking = above if above > 0.0 else below if below < 0.0 else 0.0
         if lacking == 0.0 or not self.earlier:
             return
         moved = self._give_way(row, lacking)

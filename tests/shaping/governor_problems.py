@@ -92,7 +92,7 @@ def random_problems(sizes: Sizes, size: int, seed: int) -> Problems:
     gain[:, 0, 0] = rng.uniform(0.5, 2.0, size)
     before, change = (
         rng.normal(size=(size, m)) * 50.0,
-        rng.normal(size=(size, m)) * 10.0 ** rng.uniform(-2, 1.3, (size, 1)),
+        rng.normal(size=(size, m)) * 10.0 ** rng.uniform(0, 2.3, (size, 1)),
     )
     change[rng.random((size, m)) < 0.05] = 0.0
     together = rng.random(size) < 0.2  # tied speeds, with equal or opposite differences below the tie
@@ -103,7 +103,7 @@ def random_problems(sizes: Sizes, size: int, seed: int) -> Problems:
     change[:, 0] *= 20.0
     most = rng.uniform(300.0, 1500.0, (size, m))
     least = -most * rng.choice([1.0, 1.0, 0.3], (size, m))
-    free = rng.normal(size=(size, m)) * 300.0 * rng.choice([0.2, 1.0, 2.0], (size, 1))
+    free = rng.normal(size=(size, m)) * 200.0 * rng.choice([0.2, 0.6, 1.5], (size, 1))
     return Problems(
         wanted=before + change,
         before=before,
@@ -115,7 +115,7 @@ def random_problems(sizes: Sizes, size: int, seed: int) -> Problems:
         rate_step=rng.choice([0.0, 5.0], (size, m)),
         tie=np.full(size, 0.1),
         modified=(rng.random(size) < 0.5).astype(float),
-        deviation=rng.normal(size=(size, sizes.n)) * 10.0 ** rng.uniform(-1, 1.5, (size, 1)),
+        deviation=rng.normal(size=(size, sizes.n)) * 10.0 ** rng.uniform(-1, 1.3, (size, 1)),
         weight=rng.uniform(0.5, 100.0, (size, m)),
     )
 
