@@ -264,8 +264,11 @@ def optimal_governor(
     limits = [array[machine] for array in (least, most, span, least - wider, most + wider, wide)]
     w = collected.T @ weight
     start_state = [ca.MX.zeros(m), w, ca.vec(ca.MX.eye(m)), ca.vec(ca.MX.eye(m)), ca.MX.zeros(m), ca.DM(range(m))]
-    state = ca.vertcat(*start_state, ca.MX.zeros(3), w, v, ca.vec(slope @ collected), *limits)
-    state = _iteration(m, len(machine), most_iterations).fold(most_iterations + 1)(state)
+    state = ca.vertcat(*start_state, ca.MX.zeros(3))
+    data = ca.vertcat(w, v, ca.vec(slope @ collected), *limits)
+    iteration = _iteration(m, len(machine), most_iterations)
+    for _ in range(most_iterations + 1):  # calls of one function: `fold` would copy the data each time
+        state = iteration(state, data)
     _, _, _, normals, sides, bounds, count, phase, code = _split(state, m)
     solved = code == _SOLVED
     held = collected @ _vertex(ca.reshape(normals, m, m), sides, bounds)
@@ -286,15 +289,15 @@ def optimal_governor(
 def _split(state: Any, m: int) -> list[Any]:
     """Return s, prices, inverse, normals, sides, bounds, iterations, whether limits are widened, and the outcome."""
     sizes = [m, m, m * m, m * m, m, m, 1, 1, 1]
-    return list(ca.vertsplit(state[: sum(sizes)], np.cumsum([0, *sizes]).tolist()))
+    return list(ca.vertsplit(state, np.cumsum([0, *sizes]).tolist()))
 
 
 @functools.cache
 def _iteration(m: int, N: int, most_iterations: int) -> Any:
     """Return the function of one iteration of the dual simplex, see `ptgen.shaping.dual_simplex`."""
-    sizes = [2 * m * m + 4 * m + 3, m, N, N * m, *[N] * 6]
-    state = ca.MX.sym("state", sum(sizes))
-    _, weight, v, a, *limits = ca.vertsplit(state, np.cumsum([0, *sizes]).tolist())
+    sizes = [m, N, N * m, *[N] * 6]
+    state, data = ca.MX.sym("state", 2 * m * m + 4 * m + 3), ca.MX.sym("data", sum(sizes))
+    weight, v, a, *limits = ca.vertsplit(data, np.cumsum([0, *sizes]).tolist())
     s, price, inverse_, normals_, sides, bounds, count, phase, code = _split(state, m)
     A, inverse, normals = ca.reshape(a, N, m), ca.reshape(inverse_, m, m), ca.reshape(normals_, m, m)
     lower, upper, scale = (
@@ -305,12 +308,17 @@ def _iteration(m: int, N: int, most_iterations: int) -> Any:
     worst = ca.mmax(violations)
     where = ca.fmin(ca.find(violations >= worst), 2 * m + 2 * N - 1)
     identity = ca.MX.eye(m)
-    raw = ca.densify(ca.vertcat(identity, -identity, A, -A))[where, :].T
-    side = ca.densify(ca.vertcat(ca.MX.zeros(m), -ca.MX.ones(m), v - upper, lower - v))[where]
+    at_bound, side_of = where < 2 * m, ca.if_else(where < 2 * m + N, 1.0, -1.0)
+    row = ca.fmax(where - 2 * m - ca.if_else(where < 2 * m + N, 0, N), 0)
+    unknown = ca.if_else(where < m, where, where - m)
+    unit = ca.vertcat(*[unknown == k for k in range(m)])
+    raw = ca.if_else(at_bound, ca.if_else(where < m, unit, -unit), side_of * A[row, :].T)
+    excess = ca.if_else(side_of > 0, v[row] - upper[row], lower[row] - v[row])
+    side = ca.if_else(at_bound, ca.if_else(where < m, 0.0, -1.0), excess)
     size = ca.mmax(ca.fabs(raw))
     normal = raw / ca.if_else(size > 0, size, 1.0)
     side = ca.if_else(size > 0, side / ca.if_else(size > 0, size, 1.0), 1.0)
-    bound = ca.if_else(where < 2 * m, ca.if_else(where < m, where, where - m), -1.0)
+    bound = ca.if_else(at_bound, unknown, -1.0)
     rates = inverse.T @ normal
     leaving, least = ca.MX(-1.0), ca.MX(_LARGEST)
     for k in range(m):
@@ -343,7 +351,7 @@ def _iteration(m: int, N: int, most_iterations: int) -> Any:
     ]
     ended = ca.if_else(holds, _SOLVED, ca.if_else(ca.logic_or(spent, fails), _FAILED, _RUNNING))
     after += [count + going, ca.fmax(phase, restarts), ca.if_else(code == _RUNNING, ended, code)]
-    return ca.Function(f"governor_iteration_{m}_{N}", [state], [ca.vertcat(*after, state[sizes[0] :])])
+    return ca.Function(f"governor_iteration_{m}_{N}", [state, data], [ca.vertcat(*after)])
 
 
 def _vertex(normals: Any, sides: Any, bounds: Any) -> Any:

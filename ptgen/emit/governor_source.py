@@ -64,10 +64,14 @@ def uses_governor(block: Block, precision: Precision) -> dict[str, object] | Non
     Raises
     ------
     ValueError
-        If calls of a governor differ in size or order: the code is made for one of each.
+        If calls of a governor differ in size or order: the code is made for one of each. Or if one puts its results
+        where its inputs are: it reads them to the end.
     """
     statements = [*block.prepare, *block.step, *block.measure]
     calls = [statement for statement in statements if isinstance(statement, Call)]
+    for call in calls:
+        if call.kernel in GOVERNORS and (shared := {*call.outputs} & {*call.inputs}):
+            raise ValueError(f"block {block.name}: {sorted(shared)} cannot be both input and output of a governor")
     sequential = {call.numbers for call in calls if call.kernel == "sequential_governor"}
     optimal = {(call.numbers, block.shape(call.inputs[8])) for call in calls if call.kernel == "optimal_governor"}
     sizes = {block.shape(call.outputs[0])[0] for call in calls if call.kernel in GOVERNORS}

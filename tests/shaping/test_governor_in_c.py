@@ -6,7 +6,7 @@ import re
 import shutil
 import subprocess
 import sys
-from dataclasses import fields
+from dataclasses import fields, replace
 from pathlib import Path
 
 import casadi as ca
@@ -183,8 +183,6 @@ def test_work_is_bounded(root: Path, tmp_path: Path) -> None:
 
 
 def test_blocks_without_governor_have_no_code_for_it() -> None:
-    from dataclasses import replace
-
     block = governed_block(SIZES["two machines"])
     plain = replace(block, step=block.step[:4], tables=())
     assert uses_governor(plain, "double") is None
@@ -192,10 +190,16 @@ def test_blocks_without_governor_have_no_code_for_it() -> None:
 
 
 def test_governors_of_one_block_are_the_same() -> None:
-    from dataclasses import replace
-
     block = governed_block(SIZES["two machines"])
     call = next(s for s in block.step if isinstance(s, Call) and s.kernel == "sequential_governor")
     other = replace(block, step=(*block.step, replace(call, numbers=(0, 0, 1, 1))))
     with pytest.raises(ValueError, match="differ in size or order"):
+        uses_governor(other, "double")
+
+
+def test_results_do_not_replace_inputs() -> None:
+    block = governed_block(SIZES["two machines"])
+    call = next(s for s in block.step if isinstance(s, Call) and s.kernel == "sequential_governor")
+    other = replace(block, step=(*block.step, replace(call, outputs=("before",))))
+    with pytest.raises(ValueError, match=r"\['before'\] cannot be both"):
         uses_governor(other, "double")
