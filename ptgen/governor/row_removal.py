@@ -20,12 +20,17 @@ The states that can occur:
 
 from __future__ import annotations
 
+import io
+import subprocess
+import sys
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
-import highspy
 import numpy as np
 from numpy.typing import NDArray
+
+from ptgen.errors import Problem, RunError
 
 __all__ = ["OCCURRING", "Needed", "RowFamily", "needed_rows"]
 
@@ -34,11 +39,8 @@ Array = NDArray[np.float64]
 OCCURRING = 2.0
 """How many times its limit a state alone may ask a machine for."""
 
-_TOLERANCE = 1e-9
-"""What a linear program may leave of a violation, as a share of the limit."""
-
-_SAMPLES = 7
-"""How many rows between two kept ones are looked at before the farther one is kept; all are looked at in the end."""
+_SELECTION = "ptgen.governor.row_selection"
+"""The module that solves the linear programs, run as a program."""
 
 
 @dataclass(frozen=True)
@@ -105,153 +107,60 @@ def needed_rows(
     -----
     Machine by machine, from the present on: the first row that binds by more than epsilon calls for another one, which
     is put as far ahead as those between allow. In the end all rows are looked at with all that are kept.
+    The linear programs are solved in a process of their own: HiGHS has to be loaded by itself there, because CasADi
+    brings another version of the same library.
+
+    Raises
+    ------
+    RunError
+        If that process fails.
     """
-    return _Selection(family, epsilon, progress, horizon).run()
+    stream = io.BytesIO()
+    np.savez(
+        stream,
+        rows=family.rows,
+        least_limit=family.least_limit,
+        numbers=np.array([family.stationary_reserve, epsilon, -1.0 if horizon is None else horizon]),
+    )
+    content = _run(stream.getvalue(), progress)
+    try:
+        with np.load(io.BytesIO(content)) as found:
+            steps = tuple(found[f"steps_{i}"].astype(np.int64) for i in range(len(family.rows)))
+            return Needed(steps, found["binding"], int(found["programs"]))
+    except (OSError, ValueError, KeyError, EOFError) as error:
+        raise RunError(_failed(f"its answer cannot be read ({error})")) from None
 
 
-class _Selection:
-    """The linear program, and the rows kept so far."""
-
-    def __init__(
-        self, family: RowFamily, epsilon: float, progress: Callable[[float], None] | None, horizon: int | None
-    ) -> None:
-        self.rows = family.rows * family.scale
-        self.m, self.K, self.n = self.rows.shape
-        self.last = self.K - 1 if horizon is None else min(horizon, self.K - 1)
-        self.epsilon = epsilon
-        self.progress = progress
-        self.programs = 0
-        self.places: dict[tuple[int, int], int] = {}
-        self.lp = _program(self.n, family)
-        for machine in range(self.m):
-            self.keep(machine, 0)
-
-    def run(self) -> Needed:
-        for machine in range(self.m):
-            self._select(machine)
-        binding = self._verify()
-        steps = tuple(
-            np.array(sorted(k for machine, k in self.places if machine == i), dtype=np.int64) for i in range(self.m)
+def _run(content: bytes, progress: Callable[[float], None] | None) -> bytes:
+    """Run the selection on `content` and return what it answers; its first lines tell the progress."""
+    try:
+        process = subprocess.Popen(
+            [sys.executable, "-m", _SELECTION], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE
         )
-        return Needed(steps, binding, self.programs)
-
-    def keep(self, machine: int, k: int) -> None:
-        """Add a row, both signs."""
-        self.places[machine, k] = self.lp.getNumRow()
-        for sign, bound in ((1.0, self.n + machine), (-1.0, self.n + self.m + machine)):
-            index = np.append(np.arange(self.n), bound).astype(np.int32)
-            self.lp.addRow(-highspy.kHighsInf, 0.0, self.n + 1, index, np.append(sign * self.rows[machine, k], -1.0))
-
-    def drop(self, machine: int, k: int) -> None:
-        """Take back the row that was added last."""
-        place = self.places.pop((machine, k))
-        self.lp.deleteRows(2, np.array([place, place + 1], dtype=np.int32))
-
-    def violation(self, machine: int, k: int) -> float:
-        """Return by how much a row can be violated, less epsilon, as a share of the limit."""
-        cost = np.zeros(self.n + 2 * self.m)
-        cost[: self.n] = self.rows[machine, k]
-        # w - (1 + epsilon) s with the room above s - w and below s + w as variables
-        cost[self.n + machine] = -1.0 - self.epsilon / 2
-        cost[self.n + self.m + machine] = -self.epsilon / 2
-        self.lp.changeColsCost(len(cost), np.arange(len(cost), dtype=np.int32), cost)
-        for anew in (False, True):
-            if anew:  # numerical trouble from a basis of before
-                self.lp.clearSolver()
-            self.lp.run()
-            self.programs += 1
-            if self.lp.getModelStatus() == highspy.HighsModelStatus.kOptimal:
-                return float(self.lp.getInfo().objective_function_value)
-        return np.inf  # a row that cannot be judged is kept
-
-    def _select(self, machine: int) -> None:
-        k, kept, stride = 1, 0, 2
-        while k <= self.last:
-            room = self.violation(machine, k)
-            self._tell(machine, k)
-            if room <= _TOLERANCE:
-                k += self._quiet(machine, k, room)
-                continue
-            farthest = self._farthest(machine, kept, k, stride)
-            self.keep(machine, farthest)
-            stride, kept, k = max(2, farthest - kept), farthest, farthest + 1
-
-    def _farthest(self, machine: int, kept: int, first: int, stride: int) -> int:
-        """Return how far ahead of the kept row the next one may be."""
-        good, step = first, max(1, stride // 2)
-        while step and good < self.last:
-            candidate = min(good + step, self.last)
-            self.keep(machine, candidate)
-            fine = self._fine_between(machine, kept, candidate)
-            self.drop(machine, candidate)
-            if fine:
-                good = candidate
-            else:
-                step //= 2
-        return good
-
-    def _fine_between(self, machine: int, first: int, last: int) -> bool:
-        if last <= first + 1:
-            return True
-        middle = (first + last) / 2
-        between = np.unique(np.linspace(first + 1, last - 1, _SAMPLES).astype(int))
-        return all(
-            self.violation(machine, int(k)) <= _TOLERANCE for k in sorted(between, key=lambda k: abs(k - middle))
-        )
-
-    def _quiet(self, machine: int, k: int, room: float) -> int:
-        """Return how many steps on rows cannot have changed by more than what is left of the room."""
-        end = min(self.K, k + 1 + 4096)
-        change = np.abs(self.rows[machine, k + 1 : end] - self.rows[machine, k]).sum(axis=1)
-        above = np.flatnonzero(room + change > _TOLERANCE)
-        return 1 + (int(above[0]) if len(above) else len(change))
-
-    def _verify(self) -> Array:
-        binding = np.zeros((self.m, self.K))
-        for machine in range(self.m):
-            k = 1
-            while k < self.K:
-                if (machine, k) in self.places:
-                    k += 1
-                    continue
-                room = self.violation(machine, k)
-                self._tell(self.m + machine, k)
-                if room > _TOLERANCE and k <= self.last:
-                    self.keep(machine, k)
-                    k += 1
-                    continue
-                count = self._quiet(machine, k, room) if room <= _TOLERANCE else 1
-                change = np.abs(self.rows[machine, k : k + count] - self.rows[machine, k]).sum(axis=1)
-                binding[machine, k : k + count] = room + change + self.epsilon
-                k += count
-        for machine, k in self.places:
-            binding[machine, k] = 0.0
-        return binding
-
-    def _tell(self, part: int, k: int) -> None:
-        if self.progress is not None:
-            self.progress((part + k / self.K) / (2 * self.m))
+    except OSError as error:
+        raise RunError(_failed(f"it cannot be started ({error.strerror or error})")) from None
+    with process:
+        try:
+            pipe: Any = process.stdin
+            pipe.write(content)
+            pipe.close()
+            answer: Any = process.stdout
+            for line in answer:
+                if line == b"answer\n":
+                    return bytes(answer.read())
+                if progress is not None:
+                    progress(float(line))
+            process.wait()
+            pipe = process.stderr
+            said = pipe.read().decode(errors="replace").strip().splitlines()
+        except BrokenPipeError:
+            said = ["it ended before it had read the rows"]
+        finally:
+            if process.poll() is None:
+                process.kill()
+    raise RunError(_failed(said[-1] if said else f"it ended with code {process.returncode}"))
 
 
-def _program(n: int, family: RowFamily) -> highspy.Highs:
-    """Return the program over the scaled distance from rest, and the room above and below the torque at rest."""
-    lp = highspy.Highs()
-    lp.setOptionValue("output_flag", False)
-    lp.setOptionValue("threads", 1)
-    lp.setOptionValue("presolve", "off")
-    lp.setOptionValue("simplex_strategy", 4)  # primal: only costs change from one program to the next
-    lp.setOptionValue("primal_feasibility_tolerance", 1e-10)
-    lp.setOptionValue("dual_feasibility_tolerance", 1e-10)
-    lp.changeObjectiveSense(highspy.ObjSense.kMaximize)
-    m = len(family.least_limit)
-    for _ in range(n):
-        lp.addVar(-1.0, 1.0)
-    for _ in range(2 * m):
-        lp.addVar(0.0, 2.0)
-    half = family.stationary_reserve / 2
-    for machine, least in enumerate(family.least_limit):
-        pair = np.array([n + machine, n + m + machine], dtype=np.int32)
-        lp.addRow(2.0 * least, 2.0, 2, pair, np.array([1.0, 1.0]))
-        for above, below in ((1.0 - half, -half), (-half, 1.0 - half)):
-            lp.addRow(0.0, highspy.kHighsInf, 2, pair, np.array([above, below]))
-    return lp
+def _failed(why: str) -> Problem:
+    what = f"the rows that are needed could not be selected: {why}"
+    return Problem("governor", what, "check that the package highspy is installed")
