@@ -9,6 +9,10 @@ from ptgen.analysis.continuous_proof import ContinuousProof, continuous_proof
 from ptgen.block.block import Block
 from ptgen.control.design import ControlDesign, design_control
 from ptgen.errors import PtgenError
+from ptgen.governor.constraint_set import ConstraintSet, torque_limits
+from ptgen.governor.governed_controller import governed_controller
+from ptgen.governor.prediction import Prediction, predict_loop
+from ptgen.governor.set_cache import cached_constraint_set
 from ptgen.mechanism.assembly import assemble
 from ptgen.mechanism.mechanism import Mechanism
 from ptgen.mechanism.model import Model
@@ -82,10 +86,28 @@ class Project:
         """The stability of the design in continuous time."""
         return continuous_proof(self.design, self.reduced)
 
-    @property
+    @cached_property
+    def prediction(self) -> Prediction:
+        """The nominal closed loop that a reference governor predicts with."""
+        with _located(self.testbed.file):
+            return predict_loop(self.design, self.testbed)
+
+    @cached_property
+    def constraints(self) -> ConstraintSet:
+        """The rows that the optimal governor keeps."""
+        with _located(self.testbed.file):
+            return cached_constraint_set(self.prediction, torque_limits(self.reduced.full), self.testbed.governor)
+
+    @cached_property
     def controller(self) -> Block:
-        """The controller's block."""
-        return self.design.controller.block
+        """The controller's block: that of the design, behind the reference governor if the file asks for one."""
+        governor = self.testbed.governor
+        if not governor.is_chosen:
+            return self.design.controller.block
+        with _located(self.testbed.file):
+            constraints = self.constraints if governor.kind == "optimal" else None
+            full = self.reduced.full
+            return governed_controller(self.design, self.testbed, full, self.prediction, constraints).block
 
     def blocks(self) -> tuple[Block, Block]:
         """Return controller and plant."""

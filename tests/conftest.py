@@ -33,6 +33,7 @@ TORQUE_BEDS = [
     "back_to_back",
     "differential",
     "differential_gearboxes",
+    "differential_governed",
     "differential_output_torque",
     "transmission_fixed_gear",
 ]

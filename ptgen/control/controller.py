@@ -188,6 +188,7 @@ def controller_block(
         step=(*w.statements[:supervision], *w.restart, *w.statements[supervision:]),
         faults=tuple(w.faults),
         arrays=tuple(w.arrays.values()),
+        tables=tuple(w.tables.values()),
     )
     return ControllerBlock(block, conventional_parameters(decoupling, gains), references)
 

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 import sympy as sp
 from sympy.logic.boolalg import Boolean
 
-from ptgen.block.block import Assign, Call, Fault, Signal, Statement
+from ptgen.block.block import Assign, Call, Fault, Signal, Statement, Table
 from ptgen.control.decoupling import Decoupling
 from ptgen.control.tuning import Gains
 from ptgen.elements import SensorKind
@@ -70,6 +70,7 @@ class ControllerWriter:
         self.arrays: dict[str, Signal] = {}
         """Local arrays, which kernels read and write."""
         self.preparation: list[Statement] = []
+        self.tables: dict[str, Table] = {}
         self.plausible: dict[str, float] = {}
         """Largest plausible value of inputs that are no signals of the bed."""
         self.run_time: dict[str, sp.Symbol] = {}

@@ -13,6 +13,7 @@ from ptgen.emit.friction_source import uses_friction
 from ptgen.emit.governor_source import uses_governor
 from ptgen.emit.templates import render
 from ptgen.files import write_files
+from ptgen.governor.shaping import governor_signals
 from ptgen.project import Project
 
 __all__ = ["RecordedSignal", "actuation_names", "generate", "project_files", "ratio_names", "recorded_signals"]
@@ -28,7 +29,10 @@ class RecordedSignal:
 
 
 def recorded_signals(project: Project) -> tuple[RecordedSignal, ...]:
-    """Return the signals of a recording: references, actuations, ratios, what the plant puts out, commands, fault."""
+    """Return the signals of a recording.
+
+    References, actuations, ratios, what the plant puts out, commands, what a reference governor does, fault.
+    """
     controller, plant = project.blocks()
     given = {*actuation_names(project).values(), *ratio_names(project).values()}
     references = set(project.design.controller.references.values())
@@ -38,6 +42,7 @@ def recorded_signals(project: Project) -> tuple[RecordedSignal, ...]:
     signals += [RecordedSignal(s.name, s.unit, f"run->driven.{s.name}") for s in plant.inputs if s.name in given]
     signals += [RecordedSignal(s.name, s.unit, f"run->measured.{s.name}") for s in plant.outputs]
     signals += [RecordedSignal(s.name, s.unit, f"run->commands.{s.name}") for s in controller.outputs]
+    signals += [RecordedSignal(s.name, s.unit, f"run->controller.{s.name}") for s in governor_signals(controller)]
     signals.append(RecordedSignal("fault", "", "run->controller.fault"))
     return tuple(signals)
 

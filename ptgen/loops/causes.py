@@ -54,13 +54,13 @@ def couplings_by_cause(
 ) -> tuple[Cause, ...]:
     """Return the couplings, cause by cause; those of the emitted loop last."""
     decoupling, h = project.design.decoupling, project.testbed.sample_time
-    controller, followed = Linearisation(project.controller), followed_outputs(project)
+    controller, followed = Linearisation(project.design.controller.block), followed_outputs(project)
     conventional = project.design.controller.conventional
     law = {name: value for name, value in chosen.items() if name not in conventional}
     reduced_model = project.reduced.model
     if missing := {f.name for f in reduced_model.frictions} & set(locked):
         reduced_model = assemble(project.reduced.mechanism.with_locked_frictions(missing), first="machines")
-    values = {s.name: s.value for s in project.controller.parameters} | law
+    values = {s.name: s.value for s in project.design.controller.block.parameters} | law
     # On the reduced bed the law is exact with the inertias of that bed.
     reduced = {symbol.name: decoupling.values[symbol] for symbol in decoupling.inertia_estimate}
     reduced |= {name: 0.0 for name in values if "_sensor_inertia_" in name}

@@ -266,7 +266,9 @@ def analyse(
     weak = [k for k, pole in enumerate(poles) if pole.is_unstable or (pole.damping_ratio < 0.1 and pole.s.imag > 0)]
     named = {k: modes.near(poles[k].frequency_hz) for k in weak}
     plant = Linearisation(plant_block(with_dead_times(full), project.testbed.sample_time))
-    referenced = referenced_loop(Linearisation(project.controller), plant, followed_outputs(project), chosen)
+    referenced = referenced_loop(
+        Linearisation(project.design.controller.block), plant, followed_outputs(project), chosen
+    )
     return LoopAnalysis(
         name=project.testbed.name,
         title=project.testbed.title,
@@ -322,7 +324,7 @@ def chosen_parameters(
     project: Project, family: LoopFamily, controller: ControllerName, given: Mapping[str, float]
 ) -> tuple[dict[str, float], list[Problem]]:
     """Return the parameters that differ from the blocks' defaults, and those that are not known or out of range."""
-    signals = {s.name: s for block in (project.controller, family.plant) for s in block.parameters}
+    signals = {s.name: s for block in (project.design.controller.block, family.plant) for s in block.parameters}
     problems = []
     for name, value in given.items():
         if name not in signals:
@@ -341,7 +343,7 @@ def chosen_parameters(
 
 def loop_family(project: Project, full: Model) -> LoopFamily:
     """Return the loop of a bed whose full model is `full`."""
-    return LoopFamily(project.controller, plant_block(with_dead_times(full), project.testbed.sample_time))
+    return LoopFamily(project.design.controller.block, plant_block(with_dead_times(full), project.testbed.sample_time))
 
 
 def _continuous(project: Project, controller: ControllerName) -> Setting:
@@ -359,7 +361,7 @@ def full_model(project: Project, locked: tuple[str, ...]) -> Model:
 
 
 def _table(project: Project, family: LoopFamily, chosen: Mapping[str, float]) -> dict[str, float]:
-    blocks = (family.plant, project.controller)
+    blocks = (family.plant, project.design.controller.block)
     return {**{s.name: s.value for block in blocks for s in block.parameters}, **chosen}
 
 

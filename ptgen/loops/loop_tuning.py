@@ -366,7 +366,7 @@ class _Judge:
 
     def __init__(self, project: Project, full: Model, loop: DemandedLoop) -> None:
         self._project, self._full, self._loop = project, full, loop
-        blocks = (loop.family.plant, project.controller)
+        blocks = (loop.family.plant, project.design.controller.block)
         self._table = {s.name: s.value for block in blocks for s in block.parameters}
         self._modes = NearModes(full, project.testbed.roles.speed)
 
@@ -401,7 +401,7 @@ def _gains(project: Project, loop: DemandedLoop, wishes: Mapping[str, float]) ->
     values = {**setting.values, **gain_values(gains, loop.symbols, parameters)}
     proven = prove(loop.symbols, setting.name, setting.fixed, values)
     intervals = {g.gain.name: g.intervals for factor in proven.factors for g in factor.gains}
-    units = {signal.name: signal.unit for signal in project.controller.parameters}
+    units = {signal.name: signal.unit for signal in project.design.controller.block.parameters}
     return tuple(
         GainResult(name, parameters[name], units[name], intervals.get(name, ()))
         for name in sorted(gains.parameters())

@@ -135,7 +135,9 @@ def derivation(project: Project) -> Derivation:
         estimates=_estimates(decoupling),
         gains=_gains(project),
         conventional=design.controller.conventional,
-        closed_loop={name: closed_loop_poles(project.controller, plant, values) for name, values in variants.items()},
+        closed_loop={
+            name: closed_loop_poles(project.design.controller.block, plant, values) for name, values in variants.items()
+        },
         stability=project.proof,
         friction_states=other_friction_states(
             project.mechanism,

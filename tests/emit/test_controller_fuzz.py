@@ -8,6 +8,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
+from governor.governed_beds import governed
 
 from ptgen.emit.project import project_files
 from ptgen.files import write_files
@@ -30,7 +31,8 @@ def driver(project: Project, folder: Path, *flags: str) -> Path:
     ratios = " ".join(
         f"in.{s.name} = {values[f'{s.name}_least']!r};" for s in block.inputs if f"{s.name}_least" in values
     )
-    sources = [str(DRIVER), *(str(folder / f"{prefix}_{part}.c") for part in ("controller", "support"))]
+    parts = [folder / f"{prefix}_{part}.c" for part in ("controller", "support", "governor")]
+    sources = [str(DRIVER), *(str(part) for part in parts if part.is_file())]
     options = [f"-DBED={prefix}", f'-DCONTROLLER_HEADER="{prefix}_controller.h"', f"-DRATINGS={ratings}"]
     options += [f"-DGEARBOX_RATIOS={ratios}", f"-I{folder}"]
     program = folder / "fuzz"
@@ -48,16 +50,24 @@ def said(program: Path, rounds: int, seed: int, checked: bool) -> str:
     return result.stdout
 
 
+@pytest.fixture(params=["none", "sequential_modified"])
+def any_project(request: pytest.FixtureRequest, project: Project) -> Project:
+    """Every bed without and with a reference governor."""
+    return governed(project, request.param)
+
+
 @pytest.mark.skipif(COMPILER is None, reason="needs a C compiler with sanitizers")
-def test_sanitizers_find_nothing(project: Project, tmp_path: Path) -> None:
+def test_sanitizers_find_nothing(any_project: Project, tmp_path: Path) -> None:
     """Divisions by zero are defined in IEEE arithmetic, and unchecked parameters make some; all else is watched."""
+    project = any_project
     program = driver(project, tmp_path, "-O1", "-g", f"-fsanitize={SANITIZERS}", "-fno-sanitize-recover=all")
     for seed, checked in ((1, True), (2, False)):
         said(program, 300, seed, checked)
 
 
 @pytest.mark.skipif(COMPILER is None, reason="needs a C compiler")
-def test_a_million_steps_with_anything(project: Project, tmp_path: Path) -> None:
+def test_a_million_steps_with_anything(any_project: Project, tmp_path: Path) -> None:
+    project = any_project
     program = driver(project, tmp_path, "-O2")
     for seed in (3, 4):
         for checked in (True, False):

@@ -1,0 +1,38 @@
+/*
+ * differential_governed_friction.h: friction that sticks and slips, and shafts with backlash
+ *
+ * Emitted by ptgen 0.1.0 from differential-governed.toml (SHA-256 d08516f63c075637), template friction.h.jinja.
+ * Do not edit: change the test bed file and emit again. This code belongs to whoever emitted it.
+ */
+#ifndef DIFFERENTIAL_GOVERNED_FRICTION_H
+#define DIFFERENTIAL_GOVERNED_FRICTION_H
+
+#include "differential_governed_support.h"
+
+enum { differential_governed_friction_elements = 2 };
+
+/*
+ * Friction torques that hold or let go: given velocities w without friction torques and w_plus = w - K T, find T with
+ *
+ *     lo_i <= T_i <= hi_i;  w_plus_i > 0 only where T_i = hi_i;  w_plus_i < 0 only where T_i = lo_i;  else exactly 0,
+ *
+ * which is the minimum of T'K T / 2 - w'T over the box. K is symmetric and positive semidefinite; one of the two bounds
+ * of an element may be infinite. T holds torques of a similar problem and becomes the solution.
+ * Three clamps give the nine sectors of the source's Figure 4.7. Returns 0.
+ */
+int differential_governed_solve_box(int deficient, const differential_governed_real *K, const differential_governed_real *w, const differential_governed_real *lo,
+    const differential_governed_real *hi, differential_governed_real *T, differential_governed_real *w_plus);
+
+/*
+ * Friction over one step: from velocities w to w_free - K mean. Inside the step velocities move on straight lines; one
+ * that reaches zero is held there if its capacity `rest` allows, or goes on with its capacity `slide` in the other
+ * direction. `torque` and `rest_before` hold the torques at the end, and the capacities at rest, of the last step (zero if
+ * there was none), and become those of this one. The bits of `one_way` tell which elements hold any positive torque.
+ * `status` is 0, the number of the first element (from 1) whose capacity is no number from 0 up, which then counts as 0,
+ * or -1 if the residual stayed above rounding.
+ */
+void differential_governed_friction_step(int deficient, int one_way, const differential_governed_real *K, const differential_governed_real *w,
+    const differential_governed_real *w_free, const differential_governed_real *slide, const differential_governed_real *rest, differential_governed_real *torque,
+    differential_governed_real *rest_before, differential_governed_real *mean, differential_governed_real *w_plus, differential_governed_real *status);
+
+#endif

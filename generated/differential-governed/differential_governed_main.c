@@ -1,0 +1,146 @@
+/*
+ * differential_governed_main.c: closed-loop runner
+ *
+ * Emitted by ptgen 0.1.0 from differential-governed.toml (SHA-256 d08516f63c075637), template main.c.jinja.
+ * Do not edit: change the test bed file and emit again. This code belongs to whoever emitted it.
+ */
+#include "differential_governed_run.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define POINTS 4096
+
+static double times[POINTS];
+static double values[differential_governed_profile_count][POINTS];
+
+/*
+ * Reads references from a CSV file: a head line with `time` and names of them, then rows in SI units.
+ * Those that are not named stay zero. Returns the number of rows, or -1.
+ */
+static long read_profiles(const char *path)
+{
+    char line[4096];
+    int columns[differential_governed_profile_count + 1];
+    int count = 0;
+    long rows = 0;
+    FILE *file = fopen(path, "r");
+    if (!file) {
+        return -1;
+    }
+    if (!fgets(line, (int)sizeof line, file)) {
+        (void)fclose(file);
+        return -1;
+    }
+    for (char *word = strtok(line, ",\r\n"); word && count <= differential_governed_profile_count; word = strtok(NULL, ",\r\n")) {
+        columns[count] = strcmp(word, "time") == 0 ? -1 : -2;
+        for (int k = 0; k < differential_governed_profile_count; ++k) {
+            if (strcmp(word, differential_governed_profile_names[k]) == 0) {
+                columns[count] = k;
+            }
+        }
+        if (columns[count] == -2) {
+            fprintf(stderr, "%s: unknown column \"%s\"\n", path, word);
+            (void)fclose(file);
+            return -1;
+        }
+        ++count;
+    }
+    while (rows < POINTS && fgets(line, (int)sizeof line, file)) {
+        int column = 0;
+        for (char *word = strtok(line, ",\r\n"); word && column < count; word = strtok(NULL, ",\r\n")) {
+            const double value = strtod(word, NULL);
+            if (columns[column] < 0) {
+                times[rows] = value;
+            } else {
+                values[columns[column]][rows] = value;
+            }
+            ++column;
+        }
+        if (column == count) {
+            ++rows;
+        }
+    }
+    (void)fclose(file);
+    return rows;
+}
+
+static int print_row(long step, void *user)
+{
+    const differential_governed_run *run = user;
+    printf("%.17g", (double)step * (double)run->plant_params.sample_time);
+    printf(",%.9g", (double)run->inputs.diff_input_torque_ref);
+    printf(",%.9g", (double)run->inputs.M2_speed_ref);
+    printf(",%.9g", (double)run->inputs.M3_speed_ref);
+    printf(",%.9g", (double)run->measured.M1_speed);
+    printf(",%.9g", (double)run->measured.flange1_torque);
+    printf(",%.9g", (double)run->measured.flange2_torque);
+    printf(",%.9g", (double)run->measured.M2_speed);
+    printf(",%.9g", (double)run->measured.flange3_torque);
+    printf(",%.9g", (double)run->measured.M3_speed);
+    printf(",%.9g", (double)run->measured.diff_input_torque);
+    printf(",%.9g", (double)run->measured.M1_torque);
+    printf(",%.9g", (double)run->measured.M2_torque);
+    printf(",%.9g", (double)run->measured.M3_torque);
+    printf(",%.9g", (double)run->measured.diff_loss_torque);
+    printf(",%.9g", (double)run->measured.diff_loss_speed);
+    printf(",%.9g", (double)run->measured.diff_limited_slip_torque);
+    printf(",%.9g", (double)run->measured.diff_limited_slip_speed);
+    printf(",%.9g", (double)run->commands.M1_torque_ref);
+    printf(",%.9g", (double)run->commands.M2_torque_ref);
+    printf(",%.9g", (double)run->commands.M3_torque_ref);
+    printf(",%.9g", (double)run->controller.diff_input_torque_ref_shaped);
+    printf(",%.9g", (double)run->controller.M2_speed_ref_shaped);
+    printf(",%.9g", (double)run->controller.M3_speed_ref_shaped);
+    printf(",%.9g", (double)run->controller.governor_slack_M1);
+    printf(",%.9g", (double)run->controller.governor_slack_M2);
+    printf(",%.9g", (double)run->controller.governor_slack_M3);
+    printf(",%.9g", (double)run->controller.governor_status);
+    printf(",%.9g", (double)run->controller.governor_iterations);
+    printf(",%.9g", (double)run->controller.fault);
+    printf("\n");
+    return 0;
+}
+
+int main(int argc, char **argv)
+{
+    static differential_governed_run run;
+    if (argc < 3) {
+        fprintf(stderr, "usage: %s PROFILES.csv DURATION_S [STEPS_PER_ROW]\nreferences:", argv[0]);
+        for (int k = 0; k < differential_governed_profile_count; ++k) {
+            fprintf(stderr, " %s", differential_governed_profile_names[k]);
+        }
+        fprintf(stderr, "\n");
+        return 2;
+    }
+    const long rows = read_profiles(argv[1]);
+    const double duration = strtod(argv[2], NULL);
+    const long every = argc > 3 ? strtol(argv[3], NULL, 10) : 10;
+    if (rows < 1 || !(duration > 0.0) || every < 1) {
+        fprintf(stderr, "cannot read references from %s, or the duration is not positive\n", argv[1]);
+        return 2;
+    }
+    differential_governed_profile profiles[differential_governed_profile_count];
+    for (int k = 0; k < differential_governed_profile_count; ++k) {
+        profiles[k] = (differential_governed_profile){ .count = rows, .steps = 0, .time = times, .value = values[k] };
+    }
+    run.controller_params = differential_governed_controller_defaults;
+    run.plant_params = differential_governed_plant_defaults;
+    if (differential_governed_run_init(&run) == 0) {
+        printf("time");
+        for (int k = 0; k < differential_governed_signal_count; ++k) {
+            printf(",%s", differential_governed_signal_names[k]);
+        }
+        printf("\n");
+        const long steps = (long)(duration / (double)run.plant_params.sample_time + 0.5);
+        (void)differential_governed_run_steps(&run, profiles, steps, steps, NULL, 0, every, print_row, &run);
+    }
+    if (run.status != 0) {
+        const char *text = run.status > 0 ? differential_governed_controller_status_text((differential_governed_controller_status)run.status)
+                                          : differential_governed_plant_status_text((differential_governed_plant_status)(-run.status));
+        fprintf(stderr, "%s\n", text);
+        return 1;
+    }
+    return 0;
+}

@@ -1,0 +1,204 @@
+/*
+ * differential_governed_support.h: arithmetic and small dense algebra
+ *
+ * Emitted by ptgen 0.1.0 from differential-governed.toml (SHA-256 d08516f63c075637), template support.h.jinja.
+ * Do not edit: change the test bed file and emit again. This code belongs to whoever emitted it.
+ */
+#ifndef DIFFERENTIAL_GOVERNED_SUPPORT_H
+#define DIFFERENTIAL_GOVERNED_SUPPORT_H
+
+#include <math.h>
+#include <stddef.h>
+
+typedef double differential_governed_real;
+
+#define DIFFERENTIAL_GOVERNED_REAL(x) ((differential_governed_real)(x))
+
+/* Order up to which differential_governed_discretise works: states, inputs and friction elements together. */
+#define DIFFERENTIAL_GOVERNED_MAX_ORDER 22
+
+static inline differential_governed_real differential_governed_min(differential_governed_real a, differential_governed_real b) { return a < b ? a : b; }
+static inline differential_governed_real differential_governed_max(differential_governed_real a, differential_governed_real b) { return a > b ? a : b; }
+static inline differential_governed_real differential_governed_abs(differential_governed_real a) { return fabs(a); }
+/* Both are computed before, so that a step takes nearly the same time whichever is chosen. */
+static inline differential_governed_real differential_governed_select(int condition, differential_governed_real a, differential_governed_real b)
+{
+    return condition ? a : b;
+}
+static inline differential_governed_real differential_governed_sign(differential_governed_real a)
+{
+    return a > 0.0 ? 1.0 : (a < 0.0 ? -1.0 : 0.0);
+}
+/* False for NaN and infinity; needs no library function. */
+static inline int differential_governed_is_finite(differential_governed_real a) { return a - a == 0.0; }
+static inline differential_governed_real differential_governed_clamp(differential_governed_real value, differential_governed_real bound)
+{
+    return differential_governed_max(-bound, differential_governed_min(bound, value));
+}
+
+differential_governed_real differential_governed_floor(differential_governed_real a);
+differential_governed_real differential_governed_exp(differential_governed_real a);
+differential_governed_real differential_governed_sin(differential_governed_real a);
+differential_governed_real differential_governed_sqrt(differential_governed_real a);
+
+/* Number of rows that n rows take in memory. */
+static inline int differential_governed_padded(int n) { return (n + 3) / 4 * 4; }
+
+/* Sets an array of `bytes` bytes to zero. */
+void differential_governed_zero(size_t bytes, void *array);
+
+/*
+ * Matrices are stored by columns; the number of rows in memory is rounded up to a multiple of four.
+ * Functions that return an int return 1 on success and 0 on failure.
+ */
+
+/* Solves M X = R for symmetric positive definite M (n, n); M is overwritten by its Cholesky factor. */
+int differential_governed_cholesky_solve(int n, int columns, differential_governed_real *M, const differential_governed_real *R, differential_governed_real *X);
+
+/* Whether the symmetric matrix K (n, n) is positive definite, or, if asked for, at least semidefinite. */
+int differential_governed_require_definite(int n, int semidefinite, const differential_governed_real *K);
+
+/* Share of a sum of a few numbers that may be rounding. */
+void differential_governed_rounding_unit(differential_governed_real *share);
+
+/* Copies `count` columns of `source` (rows, .), from column `first` on, to (row, column) of `target`. */
+void differential_governed_insert(int rows, int target_stride, int source_stride, int row, int column, int first, int count,
+    differential_governed_real *target, const differential_governed_real *source);
+
+/* C = A - B, all (rows, columns). */
+void differential_governed_difference(int rows, int columns, const differential_governed_real *A, const differential_governed_real *B, differential_governed_real *C);
+
+/*
+ * First n rows of exp(A t), A (n, total) over zero rows, balanced by `scale` (total): Taylor series of degree
+ * 18 with `squarings` squarings. Fails if the argument is too large for them.
+ */
+int differential_governed_discretise(int n, int total, int squarings, const differential_governed_real *A, const differential_governed_real *scale,
+    differential_governed_real t, differential_governed_real *E);
+
+/*
+ * y = A x for A (n, m); runs over four rows and two columns at a time, the padding included: eight independent sums
+ * keep the processor busy where one would wait for each addition.
+ */
+static inline void differential_governed_multiply(int n, int m, const differential_governed_real *restrict A, const differential_governed_real *restrict x,
+    differential_governed_real *restrict y)
+{
+    const int rows = differential_governed_padded(n);
+    for (int i = 0; i < rows; i += 4) {
+        const differential_governed_real *a = A + i;
+        differential_governed_real s0 = 0.0, s1 = 0.0, s2 = 0.0, s3 = 0.0;
+        differential_governed_real t0 = 0.0, t1 = 0.0, t2 = 0.0, t3 = 0.0;
+        for (int j = 0; j + 1 < m; j += 2) {
+            s0 += a[0] * x[j];
+            s1 += a[1] * x[j];
+            s2 += a[2] * x[j];
+            s3 += a[3] * x[j];
+            a += rows;
+            t0 += a[0] * x[j + 1];
+            t1 += a[1] * x[j + 1];
+            t2 += a[2] * x[j + 1];
+            t3 += a[3] * x[j + 1];
+            a += rows;
+        }
+        if (m % 2) {
+            s0 += a[0] * x[m - 1];
+            s1 += a[1] * x[m - 1];
+            s2 += a[2] * x[m - 1];
+            s3 += a[3] * x[m - 1];
+        }
+        y[i] = s0 + t0;
+        y[i + 1] = s1 + t1;
+        y[i + 2] = s2 + t2;
+        y[i + 3] = s3 + t3;
+    }
+}
+
+/* y = x + A T for A (n, m). */
+static inline void differential_governed_add_product(int n, int m, differential_governed_real *restrict y, const differential_governed_real *restrict x,
+    const differential_governed_real *restrict A, const differential_governed_real *restrict T)
+{
+    const int rows = differential_governed_padded(n);
+    for (int i = 0; i < n; ++i) {
+        differential_governed_real sum = x[i];
+        for (int j = 0; j < m; ++j) {
+            sum += A[j * rows + i] * T[j];
+        }
+        y[i] = sum;
+    }
+}
+
+/* Pushes `value` into a delay line; `late` is the value of `steps` steps ago, `early` the one of a step before. */
+static inline void differential_governed_delay(int capacity, differential_governed_real *line, differential_governed_real value, differential_governed_real steps,
+    differential_governed_real *late, differential_governed_real *early)
+{
+    const int depth = (int)steps;
+    *late = depth == 0 ? value : line[depth - 1];
+    *early = line[depth];
+    for (int k = capacity - 1; k > 0; --k) {
+        line[k] = line[k - 1];
+    }
+    line[0] = value;
+}
+
+/* Takes `value` if it is finite and at most `bound` in size, else leaves what was held; `sound` is 1 or 0. */
+static inline void differential_governed_guard(differential_governed_real value, differential_governed_real bound, differential_governed_real before, differential_governed_real *held,
+    differential_governed_real *sound)
+{
+    const int good = differential_governed_abs(value) <= bound; /* false for NaN */
+    *held = differential_governed_select(good, value, before);
+    *sound = differential_governed_select(good, 1.0, 0.0);
+}
+
+/* For how long a signal was not sound: a sound step takes back a bad one. No more than `allowed` and a step is counted. */
+static inline void differential_governed_lasting(differential_governed_real sound, differential_governed_real time, differential_governed_real step, differential_governed_real allowed,
+    differential_governed_real *after)
+{
+    const differential_governed_real counted = differential_governed_min(time, allowed);
+    *after = differential_governed_select(sound > 0.5, differential_governed_max(counted, step) - step, counted + step);
+}
+
+/* For how long `value` has been the same to the last bit. */
+static inline void differential_governed_still(differential_governed_real value, differential_governed_real before, differential_governed_real time, differential_governed_real step,
+    differential_governed_real *after)
+{
+    *after = differential_governed_select(differential_governed_abs(value - before) <= 0.0, time + step, 0.0);
+}
+
+/* The side on which `value` last was beyond `limit` (-1, 0, 1), and the count of changes, less `decay`. */
+static inline void differential_governed_swings(differential_governed_real value, differential_governed_real limit, differential_governed_real side, differential_governed_real count,
+    differential_governed_real decay, differential_governed_real *after, differential_governed_real *swings)
+{
+    const differential_governed_real above = differential_governed_select(value > limit, 1.0, side);
+    const differential_governed_real now = differential_governed_select(value < -limit, -1.0, above);
+    *after = now;
+    *swings = differential_governed_max(count - decay, 0.0) + differential_governed_min(differential_governed_abs(now - side), 1.0);
+}
+
+/* `value` limited to 0 to 1; 0 for NaN. */
+static inline void differential_governed_share(differential_governed_real value, differential_governed_real *limited)
+{
+    *limited = differential_governed_min(differential_governed_max(value, 0.0), 1.0);
+}
+
+/*
+ * Function that is linear between the n increasing points of `grid` and constant beyond them: from grid[k] on it is
+ * level[k] + slope[k] * (value - grid[k]); slope[n - 1] is zero. Bisection without branches: always the same time.
+ */
+static inline void differential_governed_lookup(int n, differential_governed_real value, const differential_governed_real *grid, const differential_governed_real *slope,
+    const differential_governed_real *level, differential_governed_real *result)
+{
+    const differential_governed_real *at = grid;
+    int count = n; /* a constant where this is called, so most of what follows is computed by the compiler */
+    at += (value >= at[count / 2]) * (count / 2), count -= count / 2;
+    at += (value >= at[count / 2]) * (count / 2), count -= count / 2;
+    at += (value >= at[count / 2]) * (count / 2), count -= count / 2;
+    at += (value >= at[count / 2]) * (count / 2), count -= count / 2;
+    at += (value >= at[count / 2]) * (count / 2), count -= count / 2;
+    at += (value >= at[count / 2]) * (count / 2), count -= count / 2;
+    while (count > 1) {
+        at += (value >= at[count / 2]) * (count / 2), count -= count / 2;
+    }
+    const ptrdiff_t k = at - grid;
+    *result = level[k] + slope[k] * differential_governed_max(value - grid[k], 0.0);
+}
+
+#endif

@@ -1,0 +1,51 @@
+"""The controller of a bed with the reference governor that its file asks for."""
+
+from __future__ import annotations
+
+from ptgen.control.controller import ControllerBlock, controller_block
+from ptgen.control.design import ControlDesign
+from ptgen.errors import ControlError, Problem
+from ptgen.governor.constraint_set import ConstraintSet
+from ptgen.governor.prediction import Prediction
+from ptgen.governor.shaping import ReferenceGovernor
+from ptgen.mechanism.model import Model
+from ptgen.testbed.testbed import Testbed
+
+__all__ = ["governed_controller"]
+
+
+def governed_controller(
+    design: ControlDesign,
+    testbed: Testbed,
+    full: Model,
+    prediction: Prediction,
+    constraints: ConstraintSet | None = None,
+) -> ControllerBlock:
+    """Return the controller with its governor.
+
+    Parameters
+    ----------
+    design : ControlDesign
+    testbed : Testbed
+        The bed that it was made for.
+    full : Model
+        Its full model.
+    prediction : Prediction
+    constraints : ConstraintSet, optional
+        Needed for the optimal governor.
+
+    Raises
+    ------
+    ControlError
+        If the speed control of a machine has no governor, or if the optimal one needs what the controller does not
+        know.
+    """
+    tuning = testbed.tuning
+    names = [design.decoupling.machines[k] for k in design.decoupling.actuators[design.decoupling.torque_count :]]
+    if twisting := [name for name in names if tuning.speed_control_of(name) == "super_twisting"]:
+        what = (
+            f"needs speed control that is linear in its reference; that of {' and '.join(twisting)} is super-twisting"
+        )
+        raise ControlError(Problem("governor.kind", what, 'choose "pi" or "observer" as control.speed_control'))
+    governor = ReferenceGovernor(testbed.governor, prediction, constraints)
+    return controller_block(design.decoupling, design.gains, tuning, full, testbed.sample_time, governor)
