@@ -57,7 +57,7 @@ def compiled(project: Project, folder: Path) -> Path:
     files = project_files(project)
     write_files(folder, files)
     sources = [f"{prefix}_{part}.c" for part in ("controller", "plant", "support")]
-    sources += [f"{prefix}_friction.c"] if f"{prefix}_friction.c" in files else []
+    sources += [name for name in (f"{prefix}_friction.c", f"{prefix}_governor.c") if name in files]
     program = folder / "bench"
     subprocess.run(
         [

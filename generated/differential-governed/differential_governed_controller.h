@@ -1,7 +1,7 @@
 /*
  * differential_governed_controller.h: controller of the bed differential_governed
  *
- * Emitted by ptgen 0.1.0 from differential-governed.toml (SHA-256 d08516f63c075637), template block.h.jinja.
+ * Emitted by ptgen 0.1.0 from differential-governed.toml (SHA-256 acf552a043b195e0), template block.h.jinja.
  * Do not edit: change the test bed file and emit again. This code belongs to whoever emitted it.
  */
 #ifndef DIFFERENTIAL_GOVERNED_CONTROLLER_H
@@ -79,12 +79,14 @@ typedef struct {
     differential_governed_real M1_torque_integral_gain; /* integral gain of the torque control of M1 (1/s) */
     differential_governed_real M1_damping_reserve; /* share of the torque of M1 kept for damping */
     differential_governed_real M1_torque_integral_limit; /* limit of the torque integrator of M1 (N m) */
-    differential_governed_real governor; /* reference governor: 0 none, 1 sequential, 2 sequential modified */
+    differential_governed_real governor; /* reference governor: 0 none, 1 sequential, 2 sequential modified, 3 optimal */
     differential_governed_real governor_reserve; /* share of every machine's torque that the governor leaves free, eps_1 (7.30) */
     differential_governed_real governor_stationary_reserve; /* further share that it leaves free of torques at rest and of speeds, eps_inf (7.32) */
     differential_governed_real governor_tie; /* speed references that differ by less stay together (rad/s) */
     differential_governed_real torque_rate_min; /* rate that the sequential governor leaves a torque (N m/s) */
     differential_governed_real torque_reserve; /* torque of a torque-controlled machine that it leaves free (N m) */
+    differential_governed_real governor_torque_weight; /* weight of a torque reference, alpha_T (7.36) */
+    differential_governed_real governor_speed_weight; /* weight of a speed reference, alpha_omega (7.36) */
     differential_governed_real M1_at_rest_diff_input_torque_ref; /* torque of M1 at rest per diff_input_torque_ref */
     differential_governed_real M2_at_rest_diff_input_torque_ref; /* torque of M2 at rest per diff_input_torque_ref */
     differential_governed_real M3_at_rest_diff_input_torque_ref; /* torque of M3 at rest per diff_input_torque_ref */
@@ -199,11 +201,11 @@ typedef struct {
     differential_governed_real diff_input_torque_ref_shaped; /* diff_input_torque_ref behind the reference governor (N m) */
     differential_governed_real M2_speed_ref_shaped; /* M2_speed_ref behind the reference governor (rad/s) */
     differential_governed_real M3_speed_ref_shaped; /* M3_speed_ref behind the reference governor (rad/s) */
+    differential_governed_real governor_iterations; /* steps of the optimal governor's solver */
     differential_governed_real governor_slack_M1; /* by how much the command of M1 is beyond what the governor keeps it in (N m) */
     differential_governed_real governor_slack_M2; /* by how much the command of M2 is beyond what the governor keeps it in (N m) */
     differential_governed_real governor_slack_M3; /* by how much the command of M3 is beyond what the governor keeps it in (N m) */
     differential_governed_real governor_status; /* 0 nothing is held back, 1 a reference is, 2 a limit cannot be kept, 3 no solution in the bound of iterations, 4 parameters are not those of the design; with 3 and 4 the sequential governor holds */
-    differential_governed_real governor_iterations; /* steps of the governor's solver */
     differential_governed_real M1_last; /* last torque of M1 before a fault (N m) */
     differential_governed_real M2_last; /* last torque of M2 before a fault (N m) */
     differential_governed_real M3_last; /* last torque of M3 before a fault (N m) */
@@ -250,6 +252,7 @@ typedef struct {
     differential_governed_real M3_governed_speed; /* largest speed reference that the governor lets through to M3 (rad/s) */
     differential_governed_real M1_follows_M1; /* change of the command of M1 with the reference of M1 */
     differential_governed_real torque_step_min; /* step of a torque reference that others leave room for (N m) */
+    differential_governed_real governor_designed; /* 1 while gains and all else that the prediction rests on are those of the design */
     differential_governed_real governor_finite; /* what counts as finite */
     differential_governed_real M1_largest; /* torque of M1 that is a fault (N m) */
     differential_governed_real M2_largest; /* torque of M2 that is a fault (N m) */
@@ -364,9 +367,11 @@ typedef enum {
     differential_governed_controller_bad_governor_tie = 2071, /* outside its range */
     differential_governed_controller_bad_torque_rate_min = 2072, /* outside its range */
     differential_governed_controller_bad_torque_reserve = 2073, /* outside its range */
-    differential_governed_controller_bad_M1_at_rest_diff_input_torque_ref = 2074, /* outside its range */
-    differential_governed_controller_bad_M2_at_rest_diff_input_torque_ref = 2075, /* outside its range */
-    differential_governed_controller_bad_M3_at_rest_diff_input_torque_ref = 2076, /* outside its range */
+    differential_governed_controller_bad_governor_torque_weight = 2074, /* outside its range */
+    differential_governed_controller_bad_governor_speed_weight = 2075, /* outside its range */
+    differential_governed_controller_bad_M1_at_rest_diff_input_torque_ref = 2076, /* outside its range */
+    differential_governed_controller_bad_M2_at_rest_diff_input_torque_ref = 2077, /* outside its range */
+    differential_governed_controller_bad_M3_at_rest_diff_input_torque_ref = 2078, /* outside its range */
 } differential_governed_controller_status;
 
 extern const differential_governed_controller_params differential_governed_controller_defaults;

@@ -1,7 +1,7 @@
 /*
  * differential_governed_governor.c: references that keep the machines inside their torque limits
  *
- * Emitted by ptgen 0.1.0 from differential-governed.toml (SHA-256 d08516f63c075637), template governor.c.jinja.
+ * Emitted by ptgen 0.1.0 from differential-governed.toml (SHA-256 acf552a043b195e0), template governor.c.jinja.
  * Do not edit: change the test bed file and emit again. This code belongs to whoever emitted it.
  */
 #include "differential_governed_governor.h"
@@ -283,5 +283,391 @@ void differential_governed_sequential_governor(const real *wanted, const real *b
         for (int i = 0; i < m; ++i) {
             shaped[i] = before[i];
         }
+    }
+}
+
+enum { n = differential_governed_governor_states };
+enum { rows = differential_governed_governor_rows };
+enum { padded_rows = (rows + 3) / 4 * 4 };
+enum { table_stride = 292 };
+
+/* Rows of machine i: from first_row[i] to before first_row[i + 1]. */
+static const int first_row[m + 1] = { 0, 117, 205, 292 };
+
+/* Violations below this share of the limits, and rates of prices below this, are rounding. */
+static const real feasible = 1e-12;
+static const real least_pivot = 1e-10;
+/* By which share of the limits more than what lacks they are widened. */
+static const real margin = 1e-09;
+/* Larger deviations cannot be meant: from here on predictions might overflow. */
+static const real largest = 1e+30;
+
+/* Minimise weight's so that command + predicted lies between lower and upper, and s, the share held back, from 0 to 1. */
+typedef struct {
+    const real *gain;
+    const real *rows_r;
+    real change[m], command[m], lower[m], upper[m], per_scale[m], weight[m];
+    int leader[m];
+    real predicted[padded_rows + 4];
+} program;
+
+/* A constraint normal's >= side; `bound` is the unknown that it bounds, or -1. */
+typedef struct {
+    real normal[m];
+    real side;
+    int bound;
+} constraint;
+
+enum outcome { solved, infeasible, unsolved };
+
+/* What the rows add if nothing is held back: rows_x x. Runs down columns, so that compilers take several rows at a time. */
+static void predict(const real *restrict A, const real *restrict x, real *restrict y)
+{
+    for (int i = 0; i < padded_rows; ++i) {
+        y[i] = A[0 * table_stride + i] * x[0] + A[1 * table_stride + i] * x[1] + A[2 * table_stride + i] * x[2] + A[3 * table_stride + i] * x[3] + A[4 * table_stride + i] * x[4] + A[5 * table_stride + i] * x[5] + A[6 * table_stride + i] * x[6] + A[7 * table_stride + i] * x[7] + A[8 * table_stride + i] * x[8];
+    }
+}
+
+/* What the rows add if the references are held back by `held` (rad/s or N m): predicted - rows_r held. */
+static void predict_held(const real *restrict predicted, const real *restrict A, const real *restrict held, real *restrict y)
+{
+    for (int i = 0; i < padded_rows; ++i) {
+        y[i] = predicted[i] - A[0 * table_stride + i] * held[0] - A[1 * table_stride + i] * held[1] - A[2 * table_stride + i] * held[2];
+    }
+}
+
+/* Largest and least of what the rows of each machine add; the present step adds nothing. Four at a time. */
+static void extremes(const real *restrict y, real *restrict most, real *restrict least)
+{
+    for (int i = 0; i < m; ++i) {
+        real a0 = 0.0, a1 = 0.0, a2 = 0.0, a3 = 0.0;
+        real b0 = 0.0, b1 = 0.0, b2 = 0.0, b3 = 0.0;
+        int j = first_row[i];
+        for (; j + 3 < first_row[i + 1]; j += 4) {
+            a0 = larger(a0, y[j]);
+            a1 = larger(a1, y[j + 1]);
+            a2 = larger(a2, y[j + 2]);
+            a3 = larger(a3, y[j + 3]);
+            b0 = lesser(b0, y[j]);
+            b1 = lesser(b1, y[j + 1]);
+            b2 = lesser(b2, y[j + 2]);
+            b3 = lesser(b3, y[j + 3]);
+        }
+        for (; j < first_row[i + 1]; ++j) {
+            a0 = larger(a0, y[j]);
+            b0 = lesser(b0, y[j]);
+        }
+        most[i] = larger(larger(a0, a1), larger(a2, a3));
+        least[i] = lesser(lesser(b0, b1), lesser(b2, b3));
+    }
+}
+
+/* The row of a machine that adds `value`; -1 for the present step. */
+static int row_with(const real *y, int machine, real value)
+{
+    if (!(fabs(value) > 0.0)) {
+        return -1;
+    }
+    for (int j = first_row[machine]; j < first_row[machine + 1]; ++j) {
+        if (y[j] <= value && y[j] >= value) {
+            return j;
+        }
+    }
+    return -1;
+}
+
+static void take_bound(int unknown, real sign, constraint *taken)
+{
+    for (int q = 0; q < m; ++q) {
+        taken->normal[q] = 0.0;
+    }
+    taken->normal[unknown] = sign;
+    taken->side = lesser(sign, 0.0);
+    taken->bound = unknown;
+}
+
+/* Normalises the row, so that pivots have no unit. */
+static void take_row(const program *g, int machine, int row, real sign, constraint *taken)
+{
+    real size = 0.0;
+    for (int q = 0; q < m; ++q) {
+        taken->normal[q] = 0.0;
+    }
+    for (int q = 0; q < m; ++q) {
+        const real added = row < 0 ? 0.0 : g->rows_r[q * table_stride + row];
+        taken->normal[g->leader[q]] += sign * (g->gain[q * stride + machine] + added) * g->change[q];
+    }
+    for (int q = 0; q < m; ++q) {
+        size = larger(size, fabs(taken->normal[q]));
+    }
+    const real value = g->command[machine] + (row < 0 ? 0.0 : g->predicted[row]);
+    const real side = sign > 0.0 ? value - g->upper[machine] : g->lower[machine] - value;
+    for (int q = 0; q < m; ++q) {
+        taken->normal[q] = size > 0.0 ? taken->normal[q] / size : 0.0;
+    }
+    taken->side = size > 0.0 ? side / size : 1.0;
+    taken->bound = -1;
+}
+
+/* Finds the most violated constraint; returns 0 if all hold. `y` is what the rows add at s. */
+static int most_violated(const program *g, const real *s, const real *command, const real *y, constraint *taken)
+{
+    real most[m], least[m], worst = feasible;
+    int where = 0; /* unknowns below 0 and above 1, machines above and below their limits: m places each */
+    extremes(y, most, least);
+    for (int q = 0; q < m; ++q) {
+        where = -s[q] > worst ? q + 1 : where;
+        worst = larger(-s[q], worst);
+    }
+    for (int q = 0; q < m; ++q) {
+        where = s[q] - 1.0 > worst ? m + q + 1 : where;
+        worst = larger(s[q] - 1.0, worst);
+    }
+    for (int i = 0; i < m; ++i) {
+        const real above = (command[i] + most[i] - g->upper[i]) * g->per_scale[i];
+        where = above > worst ? 2 * m + i + 1 : where;
+        worst = larger(above, worst);
+    }
+    for (int i = 0; i < m; ++i) {
+        const real below = (g->lower[i] - command[i] - least[i]) * g->per_scale[i];
+        where = below > worst ? 3 * m + i + 1 : where;
+        worst = larger(below, worst);
+    }
+    if (where == 0) {
+        return 0;
+    }
+    const int kind = (where - 1) / m, index = (where - 1) % m;
+    if (kind < 2) {
+        take_bound(index, kind == 0 ? 1.0 : -1.0, taken);
+    } else {
+        const real extreme = kind == 2 ? most[index] : least[index];
+        take_row(g, index, row_with(y, index, extreme), kind == 2 ? 1.0 : -1.0, taken);
+    }
+    return 1;
+}
+
+/* Swaps the active constraint whose price vanishes first for `taken`; returns 0 if none does: the program is infeasible. */
+static int exchange(const constraint *taken, constraint *active, real *price, real *inverse, real *s)
+{
+    real rates[m], least = 0.0;
+    int leaving = -1;
+    for (int k = 0; k < m; ++k) {
+        rates[k] = 0.0;
+        for (int q = 0; q < m; ++q) {
+            rates[k] += inverse[k * m + q] * taken->normal[q];
+        }
+        if (rates[k] > least_pivot && (leaving < 0 || price[k] / rates[k] < least)) {
+            least = price[k] / rates[k];
+            leaving = k;
+        }
+    }
+    if (leaving < 0) {
+        return 0;
+    }
+    real missing = taken->side, column[m];
+    for (int q = 0; q < m; ++q) {
+        missing -= taken->normal[q] * s[q];
+        column[q] = inverse[leaving * m + q] / rates[leaving];
+    }
+    for (int k = 0; k < m; ++k) {
+        price[k] = k == leaving ? least : larger(price[k] - least * rates[k], 0.0);
+        s[k] += missing * column[k];
+        for (int q = 0; q < m; ++q) {
+            inverse[k * m + q] = k == leaving ? column[q] : inverse[k * m + q] - column[q] * rates[k];
+        }
+    }
+    active[leaving] = *taken;
+    return 1;
+}
+
+/* The point where the active constraints meet, by elimination with pivots; unknowns at a bound are exact. */
+static void vertex(const constraint *active, real *s)
+{
+    real M[m][m + 1], at[m];
+    int free[m], count = 0, equations = 0;
+    for (int q = 0; q < m; ++q) {
+        free[q] = 1;
+        at[q] = 0.0;
+    }
+    for (int k = 0; k < m; ++k) {
+        if (active[k].bound >= 0) {
+            free[active[k].bound] = 0;
+            at[active[k].bound] = active[k].side < 0.0 ? 1.0 : 0.0;
+        }
+    }
+    int unknown[m];
+    for (int q = 0; q < m; ++q) {
+        if (free[q]) {
+            unknown[count++] = q;
+        }
+    }
+    for (int k = 0; k < m; ++k) {
+        if (active[k].bound < 0 && equations < count) {
+            real side = active[k].side;
+            for (int q = 0; q < m; ++q) {
+                side -= active[k].normal[q] * at[q];
+            }
+            for (int c = 0; c < count; ++c) {
+                M[equations][c] = active[k].normal[unknown[c]];
+            }
+            M[equations++][count] = side;
+        }
+    }
+    for (int c = 0; c < equations; ++c) {
+        int pivot = c;
+        for (int r = c + 1; r < equations; ++r) {
+            pivot = fabs(M[r][c]) > fabs(M[pivot][c]) ? r : pivot;
+        }
+        for (int k = c; k <= count; ++k) {
+            const real swapped = M[c][k];
+            M[c][k] = M[pivot][k];
+            M[pivot][k] = swapped;
+        }
+        for (int r = c + 1; r < equations; ++r) {
+            const real factor = M[r][c] / M[c][c];
+            for (int k = c; k <= count; ++k) {
+                M[r][k] -= factor * M[c][k];
+            }
+        }
+    }
+    for (int c = equations - 1; c >= 0; --c) {
+        real value = M[c][count];
+        for (int k = c + 1; k < equations; ++k) {
+            value -= M[c][k] * at[unknown[k]];
+        }
+        at[unknown[c]] = value / M[c][c];
+    }
+    for (int q = 0; q < m; ++q) {
+        s[q] = at[q];
+    }
+}
+
+/* Dual simplex from s = 0, where all prices are right; `iterations` counts on. */
+static enum outcome solve(const program *g, real *s, int *iterations)
+{
+    constraint active[m], taken;
+    real price[m], inverse[m * m], y[padded_rows + 4];
+    for (int k = 0; k < m; ++k) {
+        take_bound(k, 1.0, &active[k]);
+        price[k] = g->weight[k];
+        s[k] = 0.0;
+        for (int q = 0; q < m; ++q) {
+            inverse[k * m + q] = k == q ? 1.0 : 0.0;
+        }
+    }
+    if (!most_violated(g, s, g->command, g->predicted, &taken)) {
+        return solved;
+    }
+    while (*iterations < differential_governed_governor_iterations) {
+        *iterations += 1;
+        if (!exchange(&taken, active, price, inverse, s)) {
+            return infeasible;
+        }
+        real held[m], command[m];
+        for (int q = 0; q < m; ++q) {
+            held[q] = g->change[q] * s[g->leader[q]];
+            command[q] = g->command[q];
+        }
+        for (int q = 0; q < m; ++q) {
+            for (int i = 0; i < m; ++i) {
+                command[i] -= g->gain[q * stride + i] * held[q];
+            }
+        }
+        predict_held(g->predicted, g->rows_r, held, y);
+        if (!most_violated(g, s, command, y, &taken)) {
+            vertex(active, s);
+            return solved;
+        }
+    }
+    return unsolved;
+}
+
+/* Widens the limits by what the machines lack if nothing is changed. */
+static void widen(program *g, const real *free, real *slack)
+{
+    real y[padded_rows + 4], most[m], least[m];
+    predict_held(g->predicted, g->rows_r, g->change, y);
+    extremes(y, most, least);
+    for (int i = 0; i < m; ++i) {
+        const real above = free[i] + most[i] - g->upper[i], below = g->lower[i] - free[i] - least[i];
+        slack[i] = larger(larger(above, below), 0.0);
+        const real span = 1.0 / g->per_scale[i] + slack[i], wider = slack[i] + margin * span;
+        g->lower[i] -= wider;
+        g->upper[i] += wider;
+        g->per_scale[i] = 1.0 / span;
+    }
+}
+
+void differential_governed_optimal_governor(real chosen, const real *wanted, const real *before, const real *free, const real *gain,
+    const real *least, const real *most, const real *deviation, const real *rows_x, const real *rows_r, const real *weight,
+    real tie, const real *group, const real *fallback, real *shaped, real *slack, real *iterations, real *status)
+{
+    for (int i = 0; i < m; ++i) {
+        slack[i] = 0.0;
+        shaped[i] = fallback[i];
+    }
+    *iterations = 0.0;
+    *status = 0.0;
+    if (!(chosen > 0.5)) {
+        return;
+    }
+    for (int i = 0; i < m; ++i) {
+        shaped[i] = differential_governed_is_finite(fallback[i]) ? fallback[i] : before[i];
+    }
+    *status = 3.0;
+    const real sum = trace(m, wanted) + trace(m, before) + trace(m, free) + trace_of_gain(gain) + trace(m, least)
+                     + trace(m, most) + trace(n, deviation) + trace(m, weight) + trace(1, &tie) + trace(m, group);
+    real size = 0.0;
+    for (int j = 0; j < n; ++j) {
+        size = larger(size, fabs(deviation[j]));
+    }
+    if (!differential_governed_is_finite(sum) || size > largest) {
+        return;
+    }
+    program g;
+    g.gain = gain;
+    g.rows_r = rows_r;
+    find_leaders(wanted, before, tie, group, g.leader);
+    for (int i = 0; i < m; ++i) {
+        const real span = 0.5 * (most[i] - least[i]);
+        g.change[i] = wanted[i] - before[i];
+        g.command[i] = free[i];
+        g.lower[i] = least[i];
+        g.upper[i] = most[i];
+        g.per_scale[i] = 1.0 / (span > 0.0 ? span : 1.0);
+        g.weight[i] = 0.0;
+    }
+    for (int q = 0; q < m; ++q) {
+        g.weight[g.leader[q]] += weight[q];
+        for (int i = 0; i < m; ++i) {
+            g.command[i] += gain[q * stride + i] * g.change[q];
+        }
+    }
+    if (!differential_governed_is_finite(trace(m, g.command))) {
+        return;
+    }
+    predict(rows_x, deviation, g.predicted);
+    real s[m];
+    int count = 0;
+    enum outcome outcome = solve(&g, s, &count);
+    int widened = 0;
+    if (outcome == infeasible) {
+        widen(&g, free, slack);
+        for (int i = 0; i < m; ++i) {
+            widened = widened || slack[i] > 0.0;
+        }
+        outcome = solve(&g, s, &count);
+    }
+    *iterations = (real)count;
+    for (int q = 0; q < m; ++q) {
+        if (outcome != solved || !differential_governed_is_finite(s[q])) {
+            return;
+        }
+    }
+    *status = widened ? 2.0 : (count > 0 ? 1.0 : 0.0);
+    for (int q = 0; q < m; ++q) {
+        const real held = s[g.leader[q]], moved = wanted[q] - held * g.change[q];
+        const real between = clip(moved, lesser(wanted[q], before[q]), larger(wanted[q], before[q]));
+        shaped[q] = held >= 1.0 ? before[q] : (held > 0.0 ? between : wanted[q]);
     }
 }

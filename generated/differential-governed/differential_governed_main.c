@@ -1,7 +1,7 @@
 /*
  * differential_governed_main.c: closed-loop runner
  *
- * Emitted by ptgen 0.1.0 from differential-governed.toml (SHA-256 d08516f63c075637), template main.c.jinja.
+ * Emitted by ptgen 0.1.0 from differential-governed.toml (SHA-256 acf552a043b195e0), template main.c.jinja.
  * Do not edit: change the test bed file and emit again. This code belongs to whoever emitted it.
  */
 #include "differential_governed_run.h"
@@ -93,11 +93,11 @@ static int print_row(long step, void *user)
     printf(",%.9g", (double)run->controller.diff_input_torque_ref_shaped);
     printf(",%.9g", (double)run->controller.M2_speed_ref_shaped);
     printf(",%.9g", (double)run->controller.M3_speed_ref_shaped);
+    printf(",%.9g", (double)run->controller.governor_iterations);
     printf(",%.9g", (double)run->controller.governor_slack_M1);
     printf(",%.9g", (double)run->controller.governor_slack_M2);
     printf(",%.9g", (double)run->controller.governor_slack_M3);
     printf(",%.9g", (double)run->controller.governor_status);
-    printf(",%.9g", (double)run->controller.governor_iterations);
     printf(",%.9g", (double)run->controller.fault);
     printf("\n");
     return 0;

@@ -1,7 +1,7 @@
 /*
  * differential_governed_plant.c: plant of the bed differential_governed
  *
- * Emitted by ptgen 0.1.0 from differential-governed.toml (SHA-256 d08516f63c075637), template block.c.jinja.
+ * Emitted by ptgen 0.1.0 from differential-governed.toml (SHA-256 acf552a043b195e0), template block.c.jinja.
  * Do not edit: change the test bed file and emit again. This code belongs to whoever emitted it.
  */
 #include "differential_governed_plant.h"

@@ -1,7 +1,7 @@
 /*
  * differential_governed_run.c: controller and plant in closed loop
  *
- * Emitted by ptgen 0.1.0 from differential-governed.toml (SHA-256 d08516f63c075637), template run.c.jinja.
+ * Emitted by ptgen 0.1.0 from differential-governed.toml (SHA-256 acf552a043b195e0), template run.c.jinja.
  * Do not edit: change the test bed file and emit again. This code belongs to whoever emitted it.
  */
 #include "differential_governed_run.h"
@@ -40,11 +40,11 @@ const char *const differential_governed_signal_names[differential_governed_signa
     "diff_input_torque_ref_shaped",
     "M2_speed_ref_shaped",
     "M3_speed_ref_shaped",
+    "governor_iterations",
     "governor_slack_M1",
     "governor_slack_M2",
     "governor_slack_M3",
     "governor_status",
-    "governor_iterations",
     "fault",
 };
 
@@ -108,11 +108,11 @@ static void record(const differential_governed_run *run, double *row)
     row[20] = (double)run->controller.diff_input_torque_ref_shaped;
     row[21] = (double)run->controller.M2_speed_ref_shaped;
     row[22] = (double)run->controller.M3_speed_ref_shaped;
-    row[23] = (double)run->controller.governor_slack_M1;
-    row[24] = (double)run->controller.governor_slack_M2;
-    row[25] = (double)run->controller.governor_slack_M3;
-    row[26] = (double)run->controller.governor_status;
-    row[27] = (double)run->controller.governor_iterations;
+    row[23] = (double)run->controller.governor_iterations;
+    row[24] = (double)run->controller.governor_slack_M1;
+    row[25] = (double)run->controller.governor_slack_M2;
+    row[26] = (double)run->controller.governor_slack_M3;
+    row[27] = (double)run->controller.governor_status;
     row[28] = (double)run->controller.fault;
 }
 

@@ -24,6 +24,8 @@ from ptgen.testbed import Profile, Scenario, load, load_scenario
 
 STRICT = ["-std=c99", "-O2", "-Wall", "-Wextra", "-Wconversion", "-Wdouble-promotion", "-pedantic", "-Werror"]
 
+SWITCHES = ("load_compensation", "acceleration_torque")
+
 SCENARIOS = {
     "all_wheel_drive": "all-wheel-drive-run",
     "back_to_back": "back-to-back-steps",
@@ -93,6 +95,48 @@ def test_all_evaluators_agree(governed_bed: Project, seed: int | None) -> None:
             # A limit that is kept is a small difference of large numbers here: speeds that are far from each other.
             assert difference < (1e-9 if kind else 1e-12), where
     assert found == {0.0, 1.0, 2.0}
+
+
+@pytest.mark.compile
+@pytest.mark.parametrize("changed", [False, True])
+def test_all_evaluators_agree_on_the_optimal_governor(projects: dict[str, Project], changed: bool) -> None:
+    """Where it is in force, and where parameters are not those of the design and the sequential one holds."""
+    bed = projects["differential_governed"]
+    block, compiled, size = bed.controller, build(bed).controller, 300
+    batch, rng = agreement.random_batch(block, size, 1), np.random.default_rng(1)
+    designed = dict.fromkeys(SWITCHES, 1.0) | {s.name: s.value for s in block.parameters if s.name == "M1_damping"}
+    for values in (batch.states, batch.inputs):
+        calm(block, values, 10.0 ** rng.uniform(-3, 0, size))
+    batch.states.update(running=np.ones(size), fault=np.zeros(size))
+    for name, value in designed.items():
+        batch.states.update({f"{name}_{end}": np.full(size, value) for end in ("now", "target")})
+        batch.states[f"{name}_step"] = np.zeros(size)
+    parameters = NumpyBlock(block).defaults()
+    if changed:
+        parameters["M2_speed_gain"] = 0.9 * parameters["M2_speed_gain"]
+    reference = agreement.by_numpy(block, parameters, batch)
+    found = set(reference["governor_status"].tolist())
+    assert found == {4.0} if changed else found >= {0.0, 1.0, 2.0} and 4.0 not in found
+    for other in (agreement.by_casadi(block, parameters, batch), agreement.by_c(compiled, parameters, batch)):
+        difference, where = agreement.largest_difference(block, reference, other)
+        assert difference < 1e-9, where
+
+
+@pytest.mark.compile
+def test_optimal_governor_keeps_limits_and_its_parameters_can_be_chosen(
+    projects: dict[str, Project], root: Path
+) -> None:
+    """It runs its scenario with what the prediction allows; without prediction it keeps the limits of every step."""
+    bed = projects["differential_governed"]
+    assert bed.testbed.governor.kind == "optimal"
+    scenario = load_scenario(root / "scenarios" / "differential-governed-run.toml", bed.testbed)
+    recording = simulate(bed, scenario)
+    assert not recording.signals["fault"].any()
+    status = recording.signals["governor_status"]
+    assert {0.0, 1.0} <= set(status.tolist()) <= {0.0, 1.0, 2.0}
+    assert 0 < recording.signals["governor_iterations"].max() <= bed.testbed.governor.iterations
+    for signal, end in (("diff_input_torque_ref", 200.0), ("M2_speed_ref", 0.0), ("M3_speed_ref", 0.0)):
+        assert recording.signals[f"{signal}_shaped"][-1] == pytest.approx(end, abs=1e-9)
 
 
 @pytest.mark.compile

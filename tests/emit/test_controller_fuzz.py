@@ -50,10 +50,14 @@ def said(program: Path, rounds: int, seed: int, checked: bool) -> str:
     return result.stdout
 
 
-@pytest.fixture(params=["none", "sequential_modified"])
+@pytest.fixture(params=["none", "sequential_modified", "own"])
 def any_project(request: pytest.FixtureRequest, project: Project) -> Project:
-    """Every bed without and with a reference governor."""
-    return governed(project, request.param)
+    """Every bed without and with a reference governor, and with that of its file."""
+    if request.param != "own":
+        return governed(project, request.param)
+    if not project.testbed.governor.is_chosen:
+        pytest.skip("the file has no governor")
+    return project
 
 
 @pytest.mark.skipif(COMPILER is None, reason="needs a C compiler with sanitizers")

@@ -97,7 +97,10 @@ def test_references_are_reached(project: Project, root: Path) -> None:
     for key, signal in project.design.controller.references.items():
         if key.startswith("speed"):
             wanted, got = recording.signals[signal], recording.signals[signal.removesuffix("_ref")]
-            assert np.sqrt(np.mean((wanted - got) ** 2)) < 0.02 * np.abs(wanted).max() + 0.3
+            wanted = recording.signals.get(f"{signal}_shaped", wanted)  # what a governor makes of it
+            # A machine that accelerates with all it has lags by what its speed controller needs for that.
+            share = 0.05 if project.testbed.governor.is_chosen else 0.02
+            assert np.sqrt(np.mean((wanted - got) ** 2)) < share * np.abs(wanted).max() + 0.3
     assert not recording.signals["fault"].any()
 
 
