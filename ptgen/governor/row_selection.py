@@ -1,6 +1,7 @@
 """The selection of needed rows with HiGHS, as a program: rows on the standard input, progress and answer on the output.
 
-See `ptgen.governor.row_removal`, which runs it.
+See `ptgen.governor.row_removal`, which runs it. HiGHS is imported only when rows are selected: a process that has
+loaded CasADi's solvers cannot load another version of it.
 """
 
 from __future__ import annotations
@@ -8,8 +9,8 @@ from __future__ import annotations
 import io
 import sys
 from collections.abc import Callable
+from typing import Any
 
-import highspy
 import numpy as np
 from numpy.typing import NDArray
 
@@ -70,6 +71,10 @@ class _Selection:
         self.progress = progress
         self.programs = 0
         self.places: dict[tuple[int, int], int] = {}
+        import highspy
+
+        self.unlimited: float = highspy.kHighsInf
+        self.optimal = highspy.HighsModelStatus.kOptimal
         self.lp = _program(self.n, family)
         for machine in range(self.m):
             self.keep(machine, 0)
@@ -88,7 +93,7 @@ class _Selection:
         self.places[machine, k] = self.lp.getNumRow()
         for sign, bound in ((1.0, self.n + machine), (-1.0, self.n + self.m + machine)):
             index = np.append(np.arange(self.n), bound).astype(np.int32)
-            self.lp.addRow(-highspy.kHighsInf, 0.0, self.n + 1, index, np.append(sign * self.rows[machine, k], -1.0))
+            self.lp.addRow(-self.unlimited, 0.0, self.n + 1, index, np.append(sign * self.rows[machine, k], -1.0))
 
     def drop(self, machine: int, k: int) -> None:
         """Take back the row that was added last."""
@@ -108,7 +113,7 @@ class _Selection:
                 self.lp.clearSolver()
             self.lp.run()
             self.programs += 1
-            if self.lp.getModelStatus() == highspy.HighsModelStatus.kOptimal:
+            if self.lp.getModelStatus() == self.optimal:
                 return float(self.lp.getInfo().objective_function_value)
         return np.inf  # a row that cannot be judged is kept
 
@@ -181,8 +186,10 @@ class _Selection:
             self.progress((part + k / self.K) / (2 * self.m))
 
 
-def _program(n: int, family: RowFamily) -> highspy.Highs:
+def _program(n: int, family: RowFamily) -> Any:
     """Return the program over the scaled distance from rest, and the room above and below the torque at rest."""
+    import highspy
+
     lp = highspy.Highs()
     lp.setOptionValue("output_flag", False)
     lp.setOptionValue("threads", 1)
