@@ -10,7 +10,7 @@ __version__ = "0.1.0"
 
 def __getattr__(name: str) -> Any:
     # The stages take a second to import, which `ptgen --version` should not have to wait for.
-    if name in {"analyse", "load", "tune"}:
+    if name in {"analyse", "govern", "load", "tune"}:
         return getattr(importlib.import_module("ptgen.api"), name)
     if name in {"emit", "simulate"}:  # packages that can be called, see there
         return importlib.import_module(f"ptgen.{name}")

@@ -8,6 +8,7 @@
 >>> controller, plant = design.blocks()                     # doctest: +SKIP
 >>> ptgen.analyse(design).margins                           # doctest: +SKIP
 >>> ptgen.tune(design, speed_bandwidth="8 Hz").changes      # doctest: +SKIP
+>>> ptgen.govern(design, "scenarios/differential-run.toml").runs  # doctest: +SKIP
 >>> ptgen.emit(design, "build/differential")                # doctest: +SKIP
 >>> recording = ptgen.simulate(design, "scenarios/differential-run.toml")  # doctest: +SKIP
 """
@@ -23,6 +24,8 @@ from ptgen.block.block import Block
 from ptgen.control.design import ControlDesign
 from ptgen.emit.c_expressions import Precision
 from ptgen.emit.project import generate
+from ptgen.errors import TestbedError
+from ptgen.loops.governor_study import GovernorStudy, choices_of, study_governors
 from ptgen.loops.loop_analysis import LoopAnalysis
 from ptgen.loops.loop_analysis import analyse as analyse_loop
 from ptgen.loops.loop_tuning import LoopTuning, write_wishes
@@ -35,8 +38,10 @@ from ptgen.simulate.recording import Recording
 from ptgen.simulate.run import ControllerName
 from ptgen.simulate.run import simulate as run_scenario
 from ptgen.testbed import Roles, Testbed, load_scenario
+from ptgen.testbed.governor_settings import GovernorSettings
+from ptgen.testbed.problems import validated
 
-__all__ = ["AssembledBed", "Bed", "DesignedBed", "ReducedBed", "analyse", "emit", "load", "simulate", "tune"]
+__all__ = ["AssembledBed", "Bed", "DesignedBed", "ReducedBed", "analyse", "emit", "govern", "load", "simulate", "tune"]
 
 
 @dataclass(frozen=True)
@@ -165,6 +170,37 @@ def tune(
     if write:
         write_wishes(bed.project, found, locked=locked, free=free)
     return found
+
+
+def govern(
+    bed: Bed | DesignedBed, scenario: str | Path | None = None, compare: bool = False, **settings: Any
+) -> GovernorStudy:
+    """Compute what the reference governors of a bed need, and run them; see `ptgen.loops.governor_study`.
+
+    Parameters
+    ----------
+    bed : Bed or DesignedBed
+    scenario : str or path-like, optional
+        A scenario file to run with the governor.
+    compare : bool
+        Whether to run all governors.
+    **settings
+        Keys of section ``[governor]`` as the bed file writes them, in the place of those there: ``horizon="0.5 s"``.
+
+    Raises
+    ------
+    PtgenError
+        With all problems of the settings, or from any stage.
+    """
+    project = bed.project
+    given = project.testbed.governor
+    read, problems = validated(GovernorSettings, settings, "governor")
+    if read is None:
+        raise TestbedError(problems)
+    changes = {key: getattr(read, key) for key in settings}
+    chosen = given.model_copy(update={**({} if given.is_chosen else {"kind": "optimal"}), **changes})
+    course = None if scenario is None else load_scenario(scenario, project.testbed)
+    return study_governors(project, chosen, course, choices_of(chosen, compare))
 
 
 def emit(bed: Bed | DesignedBed, directory: str | Path, precision: Precision = "double") -> list[Path]:

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 import ptgen
-from ptgen.errors import ControlError
+from ptgen.errors import ControlError, TestbedError
 
 
 @pytest.mark.compile
@@ -33,3 +33,14 @@ def test_settings_and_roles_can_be_tried(root: Path) -> None:
     assert swapped.design.decoupling.relative_degrees == (2, 1, 1)
     with pytest.raises(ControlError, match="roles that would work"):
         reduced.decouple(torque={"M2": "diff.output1", "M3": "diff.output2"}, speed=["M1"])
+
+
+@pytest.mark.compile
+def test_governors_from_python(root: Path) -> None:
+    bed = ptgen.load(root / "testbeds" / "back-to-back.toml")
+    study = ptgen.govern(bed, root / "scenarios" / "back-to-back-steps.toml", kind="sequential", reserve=0.1)
+    assert [run.bed for run in study.runs] == ["nominal", "plant"] and study.settings.reserve == 0.1
+    with pytest.raises(TestbedError, match="reserve"):
+        ptgen.govern(bed, kind="sequential", reserve=0.7)
+    with pytest.raises(TestbedError, match="horizn"):
+        ptgen.govern(bed, horizn="0.5 s")

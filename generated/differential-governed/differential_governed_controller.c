@@ -1208,11 +1208,10 @@ differential_governed_controller_status differential_governed_controller_update(
     s->torque_step_min = p->sample_time * p->torque_rate_min;
     s->governor_designed = differential_governed_select(p->M1_damping_reserve == 0.05 && p->M1_feedforward == 1.0 &&
         p->M1_inertia_estimate == 1.032 && p->M1_model_damping == 261.282 && p->M1_model_stiffness == 16537.8 &&
-        p->M1_sensor_inertia_M2 == -0.03056 && p->M1_sensor_inertia_M3 == -0.03056 && p->M1_torque_gain == 0.0 &&
-        p->M1_torque_integral_gain == 20.0 && p->M1_torque_integral_limit == 465.0 && p->M1_torque_model == 1.0 &&
-        p->M2_inertia == 10.3 && p->M2_speed_gain == 309.0 && p->M2_speed_integral_gain == 2317.5 && p->M3_inertia
-        == 10.3 && p->M3_speed_gain == 309.0 && p->M3_speed_integral_gain == 2317.5 && p->diff_ratio == 1.91 &&
-        p->sample_time == 0.0001, 1.0, 0.0);
+        p->M1_torque_gain == 0.0 && p->M1_torque_integral_gain == 20.0 && p->M1_torque_integral_limit == 465.0 &&
+        p->M1_torque_model == 1.0 && p->M2_inertia == 10.3 && p->M2_speed_gain == 309.0 && p->M2_speed_integral_gain
+        == 2317.5 && p->M3_inertia == 10.3 && p->M3_speed_gain == 309.0 && p->M3_speed_integral_gain == 2317.5 &&
+        p->diff_ratio == 1.91 && p->sample_time == 0.0001, 1.0, 0.0);
     s->governor_finite = 1e+30;
     s->M1_largest = 1.01 * differential_governed_min(930.0, p->M1_torque_max);
     s->M2_largest = 1.01 * differential_governed_min(3700.0, p->M2_torque_max);
@@ -1817,24 +1816,24 @@ differential_governed_controller_status differential_governed_controller_step(di
     governor_change[1] = s->M2_speed_ref_shaped - M2_speed_ref_shaped_before;
     governor_change[2] = s->M3_speed_ref_shaped - M3_speed_ref_shaped_before;
     differential_governed_multiply(3, 3, &governor_gain[0][0], governor_change, governor_response);
-    const differential_governed_real M1_governed = governor_free[0] + governor_response[0];
+    s->governor_demand_M1 = governor_free[0] + governor_response[0];
     s->governor_slack_M1 = differential_governed_select(governor_in_force > 0.5, governor_lacking[0],
-        differential_governed_select(differential_governed_max(differential_governed_max(0.0, -M1_governed +
-        governor_least[0]), M1_governed - governor_most[0]) > -1e-05 * M1_least + 1e-05 * M1_most,
-        differential_governed_max(differential_governed_max(0.0, -M1_governed + governor_least[0]), M1_governed -
-        governor_most[0]), 0.0));
-    const differential_governed_real M2_governed = governor_free[1] + governor_response[1];
+        differential_governed_select(differential_governed_max(differential_governed_max(0.0, -s->governor_demand_M1
+        + governor_least[0]), s->governor_demand_M1 - governor_most[0]) > -1e-05 * M1_least + 1e-05 * M1_most,
+        differential_governed_max(differential_governed_max(0.0, -s->governor_demand_M1 + governor_least[0]),
+        s->governor_demand_M1 - governor_most[0]), 0.0));
+    s->governor_demand_M2 = governor_free[1] + governor_response[1];
     s->governor_slack_M2 = differential_governed_select(governor_in_force > 0.5, governor_lacking[1],
-        differential_governed_select(differential_governed_max(differential_governed_max(0.0, -M2_governed +
-        governor_least[1]), M2_governed - governor_most[1]) > -1e-05 * M2_least + 1e-05 * M2_most,
-        differential_governed_max(differential_governed_max(0.0, -M2_governed + governor_least[1]), M2_governed -
-        governor_most[1]), 0.0));
-    const differential_governed_real M3_governed = governor_free[2] + governor_response[2];
+        differential_governed_select(differential_governed_max(differential_governed_max(0.0, -s->governor_demand_M2
+        + governor_least[1]), s->governor_demand_M2 - governor_most[1]) > -1e-05 * M2_least + 1e-05 * M2_most,
+        differential_governed_max(differential_governed_max(0.0, -s->governor_demand_M2 + governor_least[1]),
+        s->governor_demand_M2 - governor_most[1]), 0.0));
+    s->governor_demand_M3 = governor_free[2] + governor_response[2];
     s->governor_slack_M3 = differential_governed_select(governor_in_force > 0.5, governor_lacking[2],
-        differential_governed_select(differential_governed_max(differential_governed_max(0.0, -M3_governed +
-        governor_least[2]), M3_governed - governor_most[2]) > -1e-05 * M3_least + 1e-05 * M3_most,
-        differential_governed_max(differential_governed_max(0.0, -M3_governed + governor_least[2]), M3_governed -
-        governor_most[2]), 0.0));
+        differential_governed_select(differential_governed_max(differential_governed_max(0.0, -s->governor_demand_M3
+        + governor_least[2]), s->governor_demand_M3 - governor_most[2]) > -1e-05 * M3_least + 1e-05 * M3_most,
+        differential_governed_max(differential_governed_max(0.0, -s->governor_demand_M3 + governor_least[2]),
+        s->governor_demand_M3 - governor_most[2]), 0.0));
     s->governor_status = differential_governed_select(p->governor > 0.5,
         differential_governed_select(governor_in_force > 0.5, differential_governed_select(governor_outcome > 0.5,
         governor_outcome, differential_governed_select(s->M2_speed_ref_shaped != M2_speed_ref_shaped_target ||

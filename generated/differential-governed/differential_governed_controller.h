@@ -203,8 +203,11 @@ typedef struct {
     differential_governed_real M3_speed_ref_shaped; /* M3_speed_ref behind the reference governor (rad/s) */
     differential_governed_real governor_iterations; /* steps of the optimal governor's solver */
     differential_governed_real governor_slack_M1; /* by how much the command of M1 is beyond what the governor keeps it in (N m) */
+    differential_governed_real governor_demand_M1; /* what the control law asks of M1, before any limit (N m) */
     differential_governed_real governor_slack_M2; /* by how much the command of M2 is beyond what the governor keeps it in (N m) */
+    differential_governed_real governor_demand_M2; /* what the control law asks of M2, before any limit (N m) */
     differential_governed_real governor_slack_M3; /* by how much the command of M3 is beyond what the governor keeps it in (N m) */
+    differential_governed_real governor_demand_M3; /* what the control law asks of M3, before any limit (N m) */
     differential_governed_real governor_status; /* 0 nothing is held back, 1 a reference is, 2 a limit cannot be kept, 3 no solution in the bound of iterations, 4 parameters are not those of the design; with 3 and 4 the sequential governor holds */
     differential_governed_real M1_last; /* last torque of M1 before a fault (N m) */
     differential_governed_real M2_last; /* last torque of M2 before a fault (N m) */

@@ -95,8 +95,11 @@ static int print_row(long step, void *user)
     printf(",%.9g", (double)run->controller.M3_speed_ref_shaped);
     printf(",%.9g", (double)run->controller.governor_iterations);
     printf(",%.9g", (double)run->controller.governor_slack_M1);
+    printf(",%.9g", (double)run->controller.governor_demand_M1);
     printf(",%.9g", (double)run->controller.governor_slack_M2);
+    printf(",%.9g", (double)run->controller.governor_demand_M2);
     printf(",%.9g", (double)run->controller.governor_slack_M3);
+    printf(",%.9g", (double)run->controller.governor_demand_M3);
     printf(",%.9g", (double)run->controller.governor_status);
     printf(",%.9g", (double)run->controller.fault);
     printf("\n");

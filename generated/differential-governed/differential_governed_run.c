@@ -42,8 +42,11 @@ const char *const differential_governed_signal_names[differential_governed_signa
     "M3_speed_ref_shaped",
     "governor_iterations",
     "governor_slack_M1",
+    "governor_demand_M1",
     "governor_slack_M2",
+    "governor_demand_M2",
     "governor_slack_M3",
+    "governor_demand_M3",
     "governor_status",
     "fault",
 };
@@ -110,10 +113,13 @@ static void record(const differential_governed_run *run, double *row)
     row[22] = (double)run->controller.M3_speed_ref_shaped;
     row[23] = (double)run->controller.governor_iterations;
     row[24] = (double)run->controller.governor_slack_M1;
-    row[25] = (double)run->controller.governor_slack_M2;
-    row[26] = (double)run->controller.governor_slack_M3;
-    row[27] = (double)run->controller.governor_status;
-    row[28] = (double)run->controller.fault;
+    row[25] = (double)run->controller.governor_demand_M1;
+    row[26] = (double)run->controller.governor_slack_M2;
+    row[27] = (double)run->controller.governor_demand_M2;
+    row[28] = (double)run->controller.governor_slack_M3;
+    row[29] = (double)run->controller.governor_demand_M3;
+    row[30] = (double)run->controller.governor_status;
+    row[31] = (double)run->controller.fault;
 }
 
 long differential_governed_run_steps(differential_governed_run *run, const differential_governed_profile *profiles, long steps, long record_every, double *recording,

@@ -11,7 +11,7 @@
 #include "differential_governed_plant.h"
 
 enum { differential_governed_profile_count = 3 };
-enum { differential_governed_signal_count = 29 };
+enum { differential_governed_signal_count = 32 };
 
 /* Names of the references, and of the recorded signals, in their order. */
 extern const char *const differential_governed_profile_names[differential_governed_profile_count];

@@ -12,7 +12,7 @@ from typing import Annotated
 import typer
 
 from ptgen import __version__
-from ptgen.cli import code, loops, queries, simulation, tuning
+from ptgen.cli import code, govern, loops, queries, simulation, tuning
 from ptgen.cli.outcome import DEBUG, abandon_output, defect
 from ptgen.cli.output import prepare_streams
 
@@ -51,6 +51,7 @@ for _command in (
     queries.derive,
     queries.modal,
     loops.analyse,
+    govern.govern,
     tuning.tune,
     code.generate,
     code.build,

@@ -303,7 +303,8 @@ class ReferenceGovernor:
         same = [
             sp.Eq(signal_symbol(name), sp.Float(signal.value, 17), evaluate=False)
             for name, signal in w.parameters.items()
-            if name in names
+            # what sensors miss of an inertia is no part of the prediction, so a change of it takes nothing away
+            if name in names and "_sensor_inertia_" not in name
         ]
         designed = w.derive(
             "governor_designed",
@@ -360,7 +361,9 @@ class ReferenceGovernor:
                 f"by how much the command of {name} is beyond what the governor keeps it in",
                 monitor=True,
             )
-            asked = w.assign(f"{name}_governed", element("governor_free", k) + element("governor_response", k), source)
+            text = f"what the control law asks of {name}, before any limit"
+            asked = w.state(f"governor_demand_{name}", "N m", text, monitor=True)
+            w.assign(asked.name, element("governor_free", k) + element("governor_response", k), source)
             beyond = greatest_of(0, asked - element("governor_most", k), element("governor_least", k) - asked)
             small = sp.Piecewise((beyond, beyond > _LACKING * rated[k]), (zero, True), evaluate=False)
             if in_force is not None:
@@ -391,11 +394,11 @@ class ReferenceGovernor:
 
 
 def governor_signals(controller: Block) -> tuple[Signal, ...]:
-    """Return what a recording should hold of the governor in a controller: shaped references, status, slack.
+    """Return what a recording should hold of the governor in a controller: shaped references, status, slack, demands.
 
     None without a governor.
     """
-    own = ("governor_status", "governor_iterations", "governor_slack_")
+    own = ("governor_status", "governor_iterations", "governor_slack_", "governor_demand_")
     return tuple(s for s in controller.states if s.name.endswith("_shaped") or s.name.startswith(own))
 
 

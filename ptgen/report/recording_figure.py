@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from ptgen.elements import FrictionRole, SensorKind
 from ptgen.plant.layout import identifier, signal_name
 from ptgen.project import Project
+from ptgen.report.curves import thinned
 from ptgen.report.figures import GREY, LIGHT, PALETTE, REFERENCE, new_figure
 from ptgen.report.quantities import shown_unit
 from ptgen.units import from_si
@@ -23,9 +24,6 @@ if TYPE_CHECKING:
     from ptgen.simulate.recording import Recording
 
 __all__ = ["Curve", "Panel", "panels", "recording_figure"]
-
-_POINTS = 20_000
-"""Points per curve above which every few of them are drawn as their least and greatest value."""
 
 
 @dataclass(frozen=True)
@@ -162,7 +160,7 @@ def _draw(axes: Axes, panel: Panel, time: NDArray[np.float64]) -> None:
     unit = shown_unit(size, panel.unit)
     scale = from_si(1.0, panel.unit, unit)
     for curve in panel.curves:
-        xs, ys = _thinned(time, scale * curve.values)
+        xs, ys = thinned(time, scale * curve.values)
         look = {"signal": ("-", 1.3, 1.0, 3), "reference": ((0, (4, 2)), 0.9, 0.9, 4), "limit": (":", 1.0, 0.7, 2)}
         style, width, alpha, order = look[curve.style]
         axes.plot(xs, ys, color=curve.colour, ls=style, lw=width, alpha=alpha, zorder=order)
@@ -200,17 +198,3 @@ def _legend(axes: Axes, panel: Panel, *, limits_seen: bool) -> None:
     axes.legend(
         handles=handles, loc="upper left", bbox_to_anchor=(1.005, 1.0), fontsize=8, frameon=False, borderaxespad=0.0
     )
-
-
-def _thinned(time: NDArray[np.float64], values: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Return a curve with fewer points that looks the same: least and greatest value of every few points."""
-    size = len(values)
-    if size <= _POINTS:
-        return time, values
-    step = -(-2 * size // _POINTS)
-    whole = size - size % step
-    blocks = values[:whole].reshape(-1, step)
-    first = np.arange(len(blocks)) * step
-    ends = np.sort(np.column_stack([first + blocks.argmin(axis=1), first + blocks.argmax(axis=1)]), axis=1).ravel()
-    chosen = np.unique(np.concatenate([ends, [0, size - 1]]))
-    return time[chosen], values[chosen]
