@@ -157,7 +157,7 @@ def test_schema_is_the_schema_of_bed_files(cli):
     import json
 
     schema = json.loads(cli("schema").stdout)
-    assert set(schema["properties"]) == {"testbed", "components", "control", "reduction"}
+    assert set(schema["properties"]) == {"testbed", "components", "control", "reduction", "governor"}
 
 
 def test_figures_are_the_same_every_time(cli, tmp_path):
