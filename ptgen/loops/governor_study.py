@@ -220,12 +220,13 @@ def study_governors(
     if scenario is not None and choices:
         every = max(1, -(-round(scenario.duration / bed.testbed.sample_time) // _ROWS))
         fine = replace(scenario, record_every=every * bed.testbed.sample_time)
+        highest = max((settings.kind, *(choice.kind for choice in choices)), key=KINDS.index)
         built: dict[float | None, tuple[Project, Library]] = {}
         for choice in choices:
             horizon = choice.horizon if choice.kind == "optimal" else settings.horizon
             if horizon not in built:
                 show(f"controller, {_horizon_text(horizon)}")
-                one = governed_project(project, settings.model_copy(update={"horizon": horizon, "kind": settings.kind}))
+                one = governed_project(project, settings.model_copy(update={"horizon": horizon, "kind": highest}))
                 built[horizon] = one, build(one)
             runs += _runs(*built[horizon], fine, choice, limits, settings, show, progress)
     return GovernorStudy(

@@ -63,18 +63,27 @@ def test_govern_keeps_its_contract(cli, short) -> None:
         assert run["set_points"][0]["shaped_after"] is not None
 
 
-def test_the_governor_of_the_file_is_shown(cli) -> None:
-    found = cli.json("govern", BED)
+def test_without_a_scenario_limits_and_order_are_shown(cli) -> None:
+    found = cli.json("govern", BED, "--governor", "sequential_modified")
     assert found["governor"] == "sequential_modified" and found["set"] is None and found["runs"] == []
-    text = cli("govern", BED).stdout
+    text = cli("govern", BED, "--governor", "sequential_modified").stdout
     assert "reference governor sequential modified" in text
     assert "let through up to 865.8 N m, then M1 is at its limit" in text
     assert "they are placed before, and give way" in text
 
 
+def test_the_governor_of_the_file(cli) -> None:
+    found = cli.json("govern", BED)
+    assert found["governor"] == "optimal" and found["set"]["automatic"]
+    assert found["set"]["kept_inequalities"] < 0.1 * found["set"]["inequalities"]
+    text = cli("govern", BED).stdout
+    assert "Constraint set of the optimal governor" in text and "(longer ones add nothing)" in text
+    assert "With a shorter horizon, rows behind it could still bind" in text
+
+
 def test_runs_as_text_and_figures(cli, excessive, tmp_path) -> None:
     folder = tmp_path / "figures"
-    text = cli("govern", BED, "--scenario", excessive, "--compare", "--plot", folder).stdout
+    text = cli("govern", BED, "--governor", "sequential", "--scenario", excessive, "--compare", "--plot", folder).stdout
     assert "Runs on the nominal loop" in text and "Runs on the whole bed, in emitted C: Short" in text
     assert "M1 needs 1000 N m at rest" in text
     for name in ("none", "sequential", "sequential modified"):
@@ -82,7 +91,7 @@ def test_runs_as_text_and_figures(cli, excessive, tmp_path) -> None:
     names = {f"{bed}-{what}.svg" for bed in ("nominal", "plant") for what in ("references", "torques", "controlled")}
     assert {path.name for path in folder.iterdir()} == names
     figure = tmp_path / "all.png"
-    cli("govern", BED, "--scenario", excessive, "--plot", figure)
+    cli("govern", BED, "--governor", "sequential", "--scenario", excessive, "--plot", figure)
     assert figure.read_bytes().startswith(b"\x89PNG")
 
 
@@ -96,12 +105,12 @@ def test_strict_refuses_what_a_machine_does_not_have(cli, excessive) -> None:
 @pytest.mark.parametrize(
     ("options", "said"),
     [
-        (("--horizon", "0.5 s"), "is for the optimal governor"),
-        (("--governor", "optimal", "--horizon", "10 us"), "must be at least one step"),
-        (("--governor", "optimal", "--horizon", "0.5 m"), "another dimension"),
-        (("--governor", "optimal", "--horizon", "5 ms"), "too short"),
-        (("--governor", "optimal", "--solver", "hihgs"), 'did you mean "highs"'),
-        (("--solver", "highs"), "checks the optimal governor"),
+        (("--governor", "sequential", "--horizon", "0.5 s"), "is for the optimal governor"),
+        (("--horizon", "10 us"), "must be at least one step"),
+        (("--horizon", "0.5 m"), "another dimension"),
+        (("--horizon", "5 ms"), "too short"),
+        (("--horizon", "0", "--solver", "hihgs"), 'did you mean "highs"'),
+        (("--governor", "sequential", "--solver", "highs"), "checks the optimal governor"),
         (("--compare",), "needs a scenario"),
         (("--plot", "figures"), "there is no scenario"),
     ],

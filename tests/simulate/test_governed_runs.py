@@ -79,7 +79,7 @@ def test_set_point_that_is_left_again_is_not_reached() -> None:
 
 
 def test_choices(governed) -> None:
-    settings = governed.testbed.governor
+    settings = governed.testbed.governor.model_copy(update={"kind": "sequential"})
     optimal = settings.model_copy(update={"kind": "optimal"})
     assert [choice.kind for choice in choices_of(settings, compare=True)] == [
         "none",
