@@ -47,5 +47,9 @@ def governed_controller(
             f"needs speed control that is linear in its reference; that of {' and '.join(twisting)} is super-twisting"
         )
         raise ControlError(Problem("governor.kind", what, 'choose "pi" or "observer" as control.speed_control'))
+    changing = [parameter.symbol.name for parameter in design.decoupling.model.changing]
+    if testbed.governor.kind == "optimal" and changing:
+        what = f"looks ahead with one model of the bed, but {' and '.join(changing)} changes at run time"
+        raise ControlError(Problem("governor.kind", what, 'choose "sequential_modified", which needs no model'))
     governor = ReferenceGovernor(testbed.governor, prediction, constraints)
     return controller_block(design.decoupling, design.gains, tuning, full, testbed.sample_time, governor)

@@ -140,9 +140,11 @@ def test_optimal_governor_keeps_limits_and_its_parameters_can_be_chosen(
 
 
 @pytest.mark.compile
-@pytest.mark.parametrize("kind", ["sequential", "sequential_modified"])
+@pytest.mark.parametrize("kind", ["sequential", "sequential_modified", "optimal"])
 def test_compiles_strictly_and_runs_its_scenario(project: Project, kind: str, root: Path, tmp_path: Path) -> None:
-    bed = governed(project, kind)
+    if kind == "optimal" and project.design.decoupling.model.changing:
+        pytest.skip("a ratio changes: refused, see below")
+    bed = governed(project, kind, **({"horizon": "0 s"} if kind == "optimal" else {}))
     generate(bed, tmp_path, "float" if kind == "sequential" else "double")
     compiler = next((name for name in ("gcc", "clang") if shutil.which(name)), None)
     for source in sorted(tmp_path.glob("*.c")) if compiler else []:
@@ -241,6 +243,12 @@ def test_a_start_after_a_fault_begins_where_the_bed_is(projects: dict[str, Proje
     turning = {"M1_speed": 95.5, "M2_speed": 50.0, "M3_speed": 50.0, "M2_speed_ref": 50.0, "M3_speed_ref": 50.0}
     controller.step(**turning)
     assert controller.state("M2_speed_ref_shaped") == 50.0
+
+
+def test_optimal_with_a_changing_ratio_is_refused(projects: dict[str, Project]) -> None:
+    bed = governed(projects["transmission_fixed_gear"], "optimal", horizon="0 s")
+    with pytest.raises(ControlError, match="changes at run time"):
+        _ = bed.controller
 
 
 def test_super_twisting_is_refused(root: Path) -> None:
