@@ -157,33 +157,34 @@ class NominalLoop:
 
 
 def loss(project: Project, reduced: EmittedGovernor, full: EmittedGovernor, steps: int) -> None:
-    """Print what the removal of rows costs over a run."""
-    settings = reduced.constraints
-    loop = NominalLoop(project, 1)
-    sums, limited, statuses = np.zeros(2), np.zeros(2), np.zeros((2, 4), dtype=int)
-    worst, iterations, beyond = 0.0, 0, np.zeros(3)
-    for _ in range(steps):
-        problem = loop.problem(settings.reserve, settings.stationary_reserve)
-        answers = [governor(problem) for governor in (reduced, full)]
-        h = np.array([shares(problem, answer.shaped) for answer in answers])
-        if h.min() < 0 or h.max() > 1:
-            raise SystemExit(f"h outside [0, 1]: {h}")
-        sums += h.sum(axis=1)
-        for k, answer in enumerate(answers):
-            statuses[k, answer.status] += 1
-        if answers[1].status == 1:
-            limited += h.sum(axis=1)
-        worst = max(worst, float(np.ptp(h.sum(axis=1))))
-        iterations = max(iterations, answers[0].iterations)
-        u = loop.step(answers[0].shaped)
-        beyond = np.maximum(beyond, np.abs(u) - problem.limit / (1 - settings.reserve))
-    names = ("free", "limited", "slack", "not solved")
-    print(f"loss over {steps} steps: sum of h {sums[0]:.3f} of {sums[1]:.3f}, {1 - sums[0] / sums[1]:.3e} lost")
-    share = 1 - limited[0] / max(limited[1], 1e-300)
-    print(f"  in steps that are limited: {share:.3e} lost; most in one step {worst:.3g}")
-    for k, name in enumerate(("reduced", "all rows")):
-        print(f"  {name}: " + ", ".join(f"{count} {text}" for text, count in zip(names, statuses[k], strict=True)))
-    print(f"  at most {iterations} iterations; torque beyond the machines' limits at most {beyond.max():.3g} N m")
+    """Print what the removal of rows costs: two runs with the same references, and both governors in every state."""
+    names, settings = ("free", "limited", "slack", "not solved"), reduced.constraints
+    sums = {}
+    for name, governor in (("reduced", reduced), ("all rows", full)):
+        loop, counts, iterations = NominalLoop(project, 1), np.zeros(4, dtype=int), 0
+        own, other, missed, beyond = 0.0, 0.0, 0.0, -np.inf
+        for _ in range(steps):
+            problem = loop.problem(settings.reserve, settings.stationary_reserve)
+            answer = governor(problem)
+            h = shares(problem, answer.shaped)
+            if h.min() < 0 or h.max() > 1:
+                raise SystemExit(f"h outside [0, 1]: {h}")
+            own += h.sum()
+            counts[answer.status] += 1
+            iterations = max(iterations, answer.iterations)
+            if governor is reduced:
+                other += shares(problem, full(problem).shaped).sum()
+            missed += float(np.abs(problem.wanted - answer.shaped) @ [1, 10, 10])
+            u = loop.step(answer.shaped)
+            beyond = max(beyond, float((np.abs(u) - problem.limit / (1 - settings.reserve)).max()))
+        sums[name] = own, missed
+        print(f"{name}: " + ", ".join(f"{count} {text}" for text, count in zip(names, counts, strict=True)))
+        print(f"  at most {iterations} iterations; torque commands stay {-beyond:.3g} N m inside the machines' limits")
+        if governor is reduced:
+            print(f"  in the same states: sum of h {own:.2f} of {other:.2f}, {1 - own / other:.2e} lost")
+    (own, missed), (other, best) = sums["reduced"], sums["all rows"]
+    print(f"loss of a run of {steps} steps: sum of h {own:.2f} of {other:.2f}, {1 - own / other:.2e} lost;")
+    print(f"  distance of references from the wanted ones {missed / best - 1:.2e} larger")
 
 
 def feasibility(constraints: ConstraintSet, states: int) -> None:

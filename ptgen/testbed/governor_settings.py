@@ -36,7 +36,7 @@ class GovernorSettings(Record):
     ] = 0.02
     removal: Annotated[
         float, Quantity("", "share of a limit by which a row may bind and yet be left out", positive=False)
-    ] = 0.001
+    ] = 0.0005
     torque_weight: Annotated[float, Quantity("", "weight of a torque reference, alpha_T (7.36)")] = 1.0
     speed_weight: Annotated[float, Quantity("", "weight of a speed reference, alpha_omega (7.36)")] = 100.0
     tie: Annotated[
