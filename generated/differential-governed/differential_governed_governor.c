@@ -289,10 +289,10 @@ void differential_governed_sequential_governor(const real *wanted, const real *b
 enum { n = differential_governed_governor_states };
 enum { rows = differential_governed_governor_rows };
 enum { padded_rows = (rows + 3) / 4 * 4 };
-enum { table_stride = 432 };
+enum { table_stride = 436 };
 
 /* Rows of machine i: from first_row[i] to before first_row[i + 1]. */
-static const int first_row[m + 1] = { 0, 181, 306, 432 };
+static const int first_row[m + 1] = { 0, 182, 307, 433 };
 
 /* Violations below this share of the limits, and rates of prices below this, are rounding. */
 static const real feasible = 1e-12;

@@ -31,7 +31,7 @@ void differential_governed_sequential_governor(const differential_governed_real 
 /* States of the prediction, rows of all machines, and what the solution may take. */
 enum {
     differential_governed_governor_states = 9,
-    differential_governed_governor_rows = 432,
+    differential_governed_governor_rows = 433,
     differential_governed_governor_iterations = 40
 };
 

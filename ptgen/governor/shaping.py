@@ -103,7 +103,7 @@ class ReferenceGovernor:
         self._sequential(w, references, chosen, order)
         proposal, found = "governor_sequential", None
         if self.constraints is not None:
-            found = self._optimal(w, law, measured, before, chosen)
+            found = self._optimal(w, law, measured, before, chosen, limits.stationary)
             proposal = "governor_proposal"
         self._release(w, references, chosen, proposal)
         self._report(w, references, chosen, limits.rated, found)
@@ -214,8 +214,14 @@ class ReferenceGovernor:
         measured: Mapping[str, sp.Symbol],
         before: Sequence[sp.Symbol],
         chosen: sp.Symbol,
+        plain: Sequence[tuple[sp.Expr, sp.Expr]],
     ) -> sp.Symbol:
-        """Write the optimal governor; return whether it is in force."""
+        """Write the optimal governor; return whether it is in force.
+
+        What the law adds to a torque after limiting it, the damping, fades while the references stay. The limits must
+        not be narrowed by what it is now, as those of the steps to come would be, too: for such a machine the row of
+        this step is the torque before it is added, and the predicted rows add what it will be.
+        """
         constraints, m, source = self.constraints, len(before), "optimal governor (7.36)"
         if constraints is None:
             raise ValueError("the optimal governor needs a constraint set")
@@ -229,8 +235,8 @@ class ReferenceGovernor:
         _fill(w, "governor_signals", "what the state follows from", [*known, *wanted], source)
         w.array("governor_deviation", "state less the one in which it would rest", len(table))
         w.call("multiply", ("governor_deviation",), ("governor_estimate", "governor_signals"), source)
-        rows_x, rows_r = constraints.rows_x(), constraints.rows_r()
-        counts = tuple(len(steps) for steps in constraints.steps)
+        added = self._added(w, law, measured)
+        rows_x, rows_r, counts = _with_added(constraints, {machine: row for machine, (_, row) in added.items()})
         if not sum(counts):  # no row but those of this step
             rows_x, rows_r = np.zeros((1, len(table))), np.zeros((1, m))
         text = "what predicted commands add to those of this step, per"
@@ -239,8 +245,12 @@ class ReferenceGovernor:
             "governor_rows_r", "", f"{text} change of a wanted reference", _rounded(rows_r), prediction.references
         )
         narrow = sp.Float(1 / (1 + constraints.removal), 17)
-        for side in ("least", "most"):
-            entries = [narrow * element(f"governor_{side}", k) for k in range(m)]
+        free = [
+            element("governor_free", k) - added[k][0] if k in added else element("governor_free", k) for k in range(m)
+        ]
+        _fill(w, "governor_free_kept", "commands, less what is added to them after a limit", free, source)
+        for place, side in enumerate(("least", "most")):
+            entries = [narrow * (plain[k][place] if k in added else element(f"governor_{side}", k)) for k in range(m)]
             _fill(w, f"governor_{side}_tight", f"{side}, less what rows cost that were left out", entries, source)
         kinds = ["torque" if torque else "speed" for torque in prediction.torque_references]
         weights = [signal_symbol(f"governor_{kind}_weight") for kind in kinds]
@@ -251,7 +261,7 @@ class ReferenceGovernor:
         w.array("governor_proposal", "references that are proposed", m)
         w.array("governor_lacking", "by how much limits had to be widened", m)
         arguments = (
-            "in_force", "wanted", "before", "free", "gain", "least_tight", "most_tight", "deviation", "rows_x",
+            "in_force", "wanted", "before", "free_kept", "gain", "least_tight", "most_tight", "deviation", "rows_x",
             "rows_r", "weight", "tie", "groups", "sequential",
         )  # fmt: skip
         w.state("governor_iterations", "", "steps of the optimal governor's solver", monitor=True)
@@ -288,6 +298,39 @@ class ReferenceGovernor:
             what = f"the optimal governor needs {', '.join(missing)}, which the controller does not have"
             raise ControlError(Problem("governor.kind", what, 'choose "sequential_modified"'))
         return result
+
+    def _added(
+        self, w: ControllerWriter, law: UnlimitedLaw, measured: Mapping[str, sp.Symbol]
+    ) -> dict[int, tuple[sp.Expr, Array]]:
+        """Return what the law adds to torques that it has limited, and the same per state of the prediction.
+
+        Machines are left out for which it does not follow from the states; their limits of this step are narrowed.
+        """
+        values = {signal_symbol(name): sp.Float(signal.value, 17) for name, signal in w.parameters.items()}
+        values |= {signal_symbol(f"{s.name}_now"): value for s, value in tuple(values.items())}
+        for statement in w.preparation:
+            if isinstance(statement, Assign):
+                values[signal_symbol(statement.target)] = statement.expression.xreplace(values)
+        estimate, found = self.prediction.estimate, dict[int, tuple[sp.Expr, Array]]()
+        for machine, parts in enumerate(law.within):
+            if len(parts) != 1:
+                continue
+            rest = sp.expand(law.commands[machine] - parts[0][1])
+            per_signal = {
+                name: sp.diff(rest, measured[name])
+                for name, kind in zip(estimate.signals, estimate.kinds, strict=True)
+                if kind == "sensor" and name in measured
+            }
+            if sp.expand(rest - sp.Add(*(slope * measured[name] for name, slope in per_signal.items()))) != 0:
+                continue
+            slopes = [sp.sympify(per_signal.get(name, 0)).xreplace(values) for name in estimate.signals]
+            if any(slope.free_symbols for slope in slopes):
+                continue
+            wanted = np.array([float(slope) for slope in slopes])
+            row = np.linalg.lstsq(estimate.values.T, wanted, rcond=None)[0]
+            if np.abs(row @ estimate.values - wanted).max() <= 1e-9 * np.abs(wanted).max(initial=0.0):
+                found[machine] = rest, row
+        return found
 
     @staticmethod
     def _set_holds(w: ControllerWriter, law: UnlimitedLaw) -> sp.Expr:
@@ -409,6 +452,24 @@ class _Limits:
     present: tuple[tuple[sp.Expr, sp.Expr], ...]
     stationary: tuple[tuple[sp.Expr, sp.Expr], ...]
     rated: tuple[sp.Expr, ...]
+
+
+def _with_added(constraints: ConstraintSet, added: Mapping[int, Array]) -> tuple[Array, Array, tuple[int, ...]]:
+    """Return the rows of a set, and how many each machine has, for machines to whose torque something is added.
+
+    Their rows hold what is added, as it will be then; and there is one of this step besides.
+    """
+    p, rows_x, rows_r, counts = constraints.prediction, constraints.rows_x(), constraints.rows_r(), constraints.counts
+    parts_x, parts_r, first = [np.zeros((0, len(p.A)))], [np.zeros((0, len(p.references)))], 0
+    for machine, count in enumerate(counts):
+        own_x, own_r = rows_x[first : first + count], rows_r[first : first + count]
+        if machine in added:
+            own_x = np.vstack([np.zeros(len(p.A)), own_x]) + added[machine]
+            own_r = np.vstack([np.zeros(len(p.references)), own_r])
+        parts_x.append(own_x)
+        parts_r.append(own_r)
+        first += count
+    return np.vstack(parts_x), np.vstack(parts_r), tuple(len(part) for part in parts_x[1:])
 
 
 def _narrowed(

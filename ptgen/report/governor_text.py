@@ -163,14 +163,14 @@ def _run_table(runs: Sequence[GovernedRun]) -> Table:
     machines = list(runs[0].demands)
     head = ["", "governor", *(f"{name} beyond" for name in machines), "held back", "iterations", "slack"]
     table = _right(Table(*head, box=box.SIMPLE_HEAD), first=2)
-    for column in table.columns[:-1]:
+    for column in table.columns[:2]:
         column.no_wrap = True
     for number, run in enumerate(runs, start=1):
         work, is_governed = run.solver, run.choice.kind != "none"
         total = sum(work.statuses.values())
         held = total - work.statuses.get(0, 0)
         is_optimal = run.choice.kind == "optimal"
-        slack = ", ".join(f"{name} {readable(value, 'N m', 3)}" for name, value in work.slack.items() if value > 0)
+        slack = "\n".join(f"{name} {readable(value, 'N m', 3)}" for name, value in work.slack.items() if value > 0)
         table.add_row(
             str(number),
             run.choice.label,
@@ -199,7 +199,7 @@ def _run_notes(runs: Sequence[GovernedRun]) -> Iterator[str]:
 def _excess(entry: Excess) -> str:
     if entry.at is None:
         return "-"
-    return f"{readable(entry.most, 'N m', 4)} ({readable(entry.lasting, 's', 3)})"
+    return f"{readable(entry.most, 'N m', 3)},\n{readable(float(f'{entry.lasting:.2g}'), 's', 3)}"
 
 
 def _point_table(runs: Sequence[GovernedRun]) -> Table:

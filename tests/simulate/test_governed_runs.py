@@ -169,6 +169,8 @@ def test_only_the_modification_and_prediction_keep_the_limit(governed, event) ->
         assert set(beyond[kind, "nominal"].values()) == {0.0}
     assert beyond["sequential_modified", "plant"] == {"M1": 0.0, "M2": 0.0, "M3": 0.0}
     assert beyond["optimal", "plant"]["M1"] < 0.03 * 930
+    predicted = next(run for run in study.runs if run.choice.kind == "optimal" and run.bed == "nominal")
+    assert max(predicted.solver.slack.values()) <= 1.1 * settings.removal * 930  # what rows that were left out can cost
     assert [step.machine for step in study.order] == ["M2", "M3", "M1"]
     assert study.order[2].earlier == ("M2_speed_ref", "M3_speed_ref")
     kept = [entry.kept for entry in study.shorter]
@@ -180,6 +182,18 @@ def test_only_the_modification_and_prediction_keep_the_limit(governed, event) ->
             if run.choice.kind in ("sequential", "optimal"):
                 low, high = followed.wanted.min(), followed.wanted.max()
                 assert shaped is not None and low - 1e-9 <= shaped.min() and shaped.max() <= high + 1e-9
+
+
+def test_a_torque_step_alone_is_not_held_back(governed) -> None:
+    """The damping torque is large while the torque rises; it must not count as if it stayed."""
+    still = steps((0.0, 0.0))
+    course = scenario(0.2, torque_M1=steps((0.0, 0.0), (0.05, 800.0)), speed_M2=still, speed_M3=still)
+    settings = governed.testbed.governor.model_copy(update={"kind": "optimal"})
+    study = study_governors(governed, settings, course, [Choice("optimal")])
+    for run in study.runs:
+        (point,) = (point for point in run.set_points if point.signal == "diff_input_torque_ref")
+        assert point.shaped_after is not None and point.shaped_after < 0.003
+        assert max(run.solver.slack.values()) == 0.0 and set(run.solver.statuses) <= {0, 1}
 
 
 def test_rows_that_were_left_out_are_kept(governed) -> None:
