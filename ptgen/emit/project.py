@@ -13,6 +13,8 @@ from ptgen.emit.friction_source import uses_friction
 from ptgen.emit.governor_source import uses_governor
 from ptgen.emit.templates import render
 from ptgen.files import write_files
+from ptgen.governor.functions import governor_files
+from ptgen.governor.limit_rows import LimitRows
 from ptgen.governor.shaping import governor_signals
 from ptgen.project import Project
 
@@ -94,6 +96,7 @@ def project_files(project: Project, precision: Precision = "double") -> dict[str
         "signals": recorded_signals(project),
         "friction": uses_friction(plant) is not None,
         "governor": uses_governor(controller, precision) is not None,
+        "optimal": testbed.governor.kind == "optimal",
         "controller": CBlock(controller, prefix, precision),
         "law": {name: str(text) for name, text in project.design.decoupling.law_expressions().items()},
     }
@@ -108,6 +111,11 @@ def project_files(project: Project, precision: Precision = "double") -> dict[str
     }
     for block_ in (controller, plant):
         files |= {f"casadi/{name}": content for name, content in casadi_files(block_, prefix).items()}
+    if testbed.governor.kind == "optimal":
+        rows = LimitRows.predicted(project.constraints)
+        group = [0 if torque else 1 for torque in project.prediction.torque_references]
+        functions = governor_files(project.prediction, rows, prefix, group)
+        files |= {f"casadi/{name}": content for name, content in functions.items()}
     return dict(sorted(files.items()))
 
 

@@ -12,30 +12,16 @@ alone, (7.37): ``row_x = row_r = 0``, and nothing about them is predicted. Both 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ptgen.errors import ControlError, Problem
+from ptgen.governor.constraint_set import ConstraintSet
 
-__all__ = ["LimitRows", "PredictedLimits", "Situation"]
+__all__ = ["LimitRows", "Situation"]
 
 Array = NDArray[np.float64]
-
-
-class PredictedLimits(Protocol):
-    """What the programs take from a constraint set (7.33): the predicted rows, machine by machine."""
-
-    @property
-    def rows(self) -> tuple[NDArray[np.int64], ...]:
-        """The steps, from 1 up, that are kept of each machine."""
-
-    def rows_x(self) -> Array:
-        """Return how the predicted torques depend on ``x - X r`` (N, n)."""
-
-    def rows_r(self) -> Array:
-        """Return how they depend on ``r~ - r`` besides the gain of this step (N, m)."""
 
 
 @dataclass(frozen=True)
@@ -113,9 +99,9 @@ class LimitRows:
         return int(self.r.shape[-1])
 
     @classmethod
-    def predicted(cls, limits: PredictedLimits) -> LimitRows:
+    def predicted(cls, constraints: ConstraintSet) -> LimitRows:
         """Return the rows of a constraint set together with those of this step."""
-        steps, x, r = limits.rows, limits.rows_x(), limits.rows_r()
+        steps, x, r = constraints.steps, constraints.rows_x(), constraints.rows_r()
         m = len(steps)
         machine = np.repeat(np.arange(m), [len(kept) for kept in steps])
         return cls(

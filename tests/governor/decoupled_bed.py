@@ -71,8 +71,8 @@ class Limits:
 
     def __init__(self, bed: Bed, horizon: int, every: int) -> None:
         kept = np.arange(every, horizon + 1, every)
-        self.rows = (kept, kept, kept)
-        self._rows = bed.rows(self.rows)
+        self.steps = (kept, kept, kept)
+        self._rows = bed.rows(self.steps)
 
     def rows_x(self) -> Array:
         return self._rows[0]
