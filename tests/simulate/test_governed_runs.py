@@ -17,6 +17,7 @@ from ptgen.loops.nominal_run import nominal_run
 from ptgen.loops.stationary_demand import beyond_at_rest, machine_references, stationary_limits
 from ptgen.project import Project
 from ptgen.simulate.build import build
+from ptgen.simulate.run import simulate
 from ptgen.testbed import load_scenario
 from ptgen.testbed.profile import Profile
 from ptgen.testbed.scenario import Scenario
@@ -226,3 +227,13 @@ def test_a_governor_that_the_bed_does_not_allow(projects) -> None:
     settings = project.testbed.governor.model_copy(update={"kind": "optimal"})
     with pytest.raises(ControlError, match="changes at run time"):
         governed_project(project, settings)
+
+
+def test_single_precision_shapes_the_same_references(governed, event) -> None:
+    """Rounding moves decisions by a step now and then; limits are kept, references agree on the average."""
+    runs = [simulate(governed, event, library=build(governed, precision=p)) for p in ("double", "float")]
+    for name in ("M2_speed_ref_shaped", "M3_speed_ref_shaped", "diff_input_torque_ref_shaped"):
+        one, other = (run.signals[name] for run in runs)
+        assert np.abs(one - other).mean() < 1e-3 * np.abs(one).max()
+    assert runs[1].signals["governor_status"].max() <= 2
+    assert np.abs(runs[1].signals["governor_demand_M1"]).max() < 930.0
