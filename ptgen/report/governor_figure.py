@@ -54,8 +54,8 @@ def controlled_figure(runs: Sequence[GovernedRun], title: str) -> Figure:
     return figure
 
 
-def overview_figure(runs: Sequence[GovernedRun], title: str) -> Figure:
-    """Draw references beside torques."""
+def overview_figure(runs: Sequence[GovernedRun], title: str, points: int = _POINTS) -> Figure:
+    """Draw references beside torques, with about so many points for every curve."""
     followed, machines = runs[0].followed, list(runs[0].demands)
     rows = max(len(followed), len(machines))
     figure = new_figure(15.0, _HEIGHT * rows + 0.9)
@@ -63,9 +63,9 @@ def overview_figure(runs: Sequence[GovernedRun], title: str) -> Figure:
     grid = figure.subplots(rows, 2, sharex=True, squeeze=False)
     for k in range(rows):
         if k < len(followed):
-            _references(grid[k, 0], runs, followed[k])
+            _references(grid[k, 0], runs, followed[k], points)
         if k < len(machines):
-            _torques(grid[k, 1], runs, machines[k])
+            _torques(grid[k, 1], runs, machines[k], points)
     for axes in grid[-1]:
         axes.set_xlabel("time (s)", fontsize=9)
     entries: dict[str, Artist] = {}
@@ -89,28 +89,35 @@ def _stacked(count: int, title: str) -> tuple[Figure, list[Axes]]:
     return figure, panels
 
 
-def _references(axes: Axes, runs: Sequence[GovernedRun], item: Followed) -> None:
+def _references(axes: Axes, runs: Sequence[GovernedRun], item: Followed, points: int = _POINTS) -> None:
     scale = _prepared(axes, item.signal, item.unit, item.wanted)
     for k, run in enumerate(runs):
         if run.choice.kind == "none" or item.shaped not in run.recording.signals:
             continue
-        _line(axes, run, scale * run.recording.signals[item.shaped], k, f"{run.choice.label}:  {_reached(run, item)}")
+        _line(
+            axes,
+            run,
+            scale * run.recording.signals[item.shaped],
+            k,
+            f"{run.choice.label}:  {_reached(run, item)}",
+            points,
+        )
     time = runs[0].recording.time
-    axes.plot(*thinned(time, scale * item.wanted, _POINTS), color=REFERENCE, lw=0.9, ls=(0, (4, 2)), label="wanted")
+    axes.plot(*thinned(time, scale * item.wanted, points), color=REFERENCE, lw=0.9, ls=(0, (4, 2)), label="wanted")
     _finished(axes, time)
 
 
-def _torques(axes: Axes, runs: Sequence[GovernedRun], machine: str) -> None:
+def _torques(axes: Axes, runs: Sequence[GovernedRun], machine: str, points: int = _POINTS) -> None:
     time = runs[0].recording.time
     limits = [run.limits[machine] for run in runs]
     scale = _prepared(axes, f"{machine}", "N m", limits[0])
     for k, run in enumerate(runs):
         beyond = next(entry for entry in run.beyond_limit if entry.machine == machine)
-        _line(axes, run, scale * run.demands[machine], k, f"{run.choice.label}:  {_excess(beyond)}")
+        _line(axes, run, scale * run.demands[machine], k, f"{run.choice.label}:  {_excess(beyond)}", points)
     # All runs have nearly the same speeds; where they differ, the limit of the last run is as good as any.
     for sign in (1, -1):
         label = "limit" if sign > 0 else None
-        axes.plot(*thinned(time, sign * scale * limits[-1], _POINTS), color=GREY, lw=1.1, ls=":", label=label, zorder=2)
+        axes.plot(*thinned(time, sign * scale * limits[-1], points), color=GREY, lw=1.1, ls=":", label=label, zorder=2)
     highest = scale * max(float(limit.max()) for limit in limits)
     low, high = axes.get_ylim()
     axes.set_ylim(max(low, -1.6 * highest), min(high, 1.6 * highest))
@@ -140,9 +147,9 @@ def _prepared(axes: Axes, name: str, unit: str, values: Array) -> float:
     return from_si(1.0, unit, shown)
 
 
-def _line(axes: Axes, run: GovernedRun, values: Array, k: int, label: str) -> None:
+def _line(axes: Axes, run: GovernedRun, values: Array, k: int, label: str, points: int = _POINTS) -> None:
     axes.plot(
-        *thinned(run.recording.time, values, _POINTS),
+        *thinned(run.recording.time, values, points),
         color=PALETTE[k % len(PALETTE)],
         lw=max(0.9, 3.0 - 0.4 * k),  # of curves that lie on each other all are seen
         zorder=3 + k,
