@@ -35,8 +35,10 @@ class StationaryLimits:
         Speed of each machine per reference.
     torque_max, speed_rated, speed_max : ndarray (m,)
         Torque up to the rated speed (N m), rated and largest speed (rad/s).
-    torque_share, speed_share : float
-        What the governor uses of them at rest.
+    torque_share : ndarray (m,)
+        What the governor uses of the torque at rest; the law itself keeps a share for the damping.
+    speed_share : float
+        What it uses of the speeds.
     """
 
     machines: tuple[str, ...]
@@ -47,7 +49,7 @@ class StationaryLimits:
     torque_max: Array
     speed_rated: Array
     speed_max: Array
-    torque_share: float
+    torque_share: Array
     speed_share: float
 
     def envelope(self, speeds: Array) -> Array:
@@ -133,7 +135,8 @@ def stationary_limits(project: Project, prediction: Prediction, settings: Govern
     def of_drives(name: str) -> Array:
         return np.array([float(known[getattr(drive, name)]) for drive in drives])
 
-    reserve = max(settings.reserve, 0.0)
+    kept = {s.name: s.value for s in project.design.controller.block.parameters if s.name.endswith("_damping_reserve")}
+    inside = [1 - max(settings.reserve, kept.get(f"{name}_damping_reserve", 0.0)) for name in prediction.machines]
     return StationaryLimits(
         machines=prediction.machines,
         references=prediction.references,
@@ -143,7 +146,7 @@ def stationary_limits(project: Project, prediction: Prediction, settings: Govern
         torque_max=of_drives("torque_max"),
         speed_rated=of_drives("speed_rated"),
         speed_max=of_drives("speed_max"),
-        torque_share=(1 - reserve) * (1 - settings.stationary_reserve),
+        torque_share=np.array(inside) * (1 - settings.stationary_reserve),
         speed_share=1 - settings.stationary_reserve,
     )
 
@@ -186,7 +189,7 @@ def beyond_at_rest(project: Project, scenario: Scenario, limits: StationaryLimit
     found: list[Beyond] = []
     for i, machine in enumerate(limits.machines):
         cases: Sequence[tuple[str, Array, Array, float, Array]] = (
-            ("torque", torques[:, i], envelope[:, i], limits.torque_share, limits.torque[i]),
+            ("torque", torques[:, i], envelope[:, i], float(limits.torque_share[i]), limits.torque[i]),
             ("speed", speeds[:, i], np.full(len(times), limits.speed_max[i]), limits.speed_share, limits.speed[i]),
         )
         for quantity, needed, limit, share, row in cases:

@@ -36,7 +36,7 @@ def governor_json(study: GovernorStudy) -> dict[str, Any]:
                 "torque_max": float(limits.torque_max[k]),
                 "speed_rated": float(limits.speed_rated[k]),
                 "speed_max": float(limits.speed_max[k]),
-                "torque_at_rest": float(limits.torque_share * limits.torque_max[k]),
+                "torque_at_rest": float(limits.torque_share[k] * limits.torque_max[k]),
                 "speed_at_rest": float(limits.speed_share * limits.speed_max[k]),
             }
             for k, machine in enumerate(limits.machines)

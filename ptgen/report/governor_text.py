@@ -81,7 +81,7 @@ def _limits(limits: StationaryLimits) -> Table:
             machine,
             readable(limits.torque_max[k], "N m"),
             readable(limits.speed_rated[k], "rad/s"),
-            readable(limits.torque_share * limits.torque_max[k], "N m", 4),
+            readable(limits.torque_share[k] * limits.torque_max[k], "N m", 4),
             readable(limits.speed_share * limits.speed_max[k], "rad/s", 4),
         )
     return table
@@ -122,10 +122,13 @@ def _set(found: ConstraintSet, automatic: bool) -> Iterator[str]:
         f"{readable(found.looked_at * h, 's', 3)}, behind which nothing moves"
     )
     yield (
-        f"{found.all_rows} inequalities as the source writes them, {found.kept_rows} kept; "
-        f"the others bind by at most {percent(found.removal)} of a limit, and limits are tightened by "
-        f"{percent(found.loss)} for them: leaving rows out costs no more torque than that, and is safe"
+        f"{found.all_rows} inequalities as the source writes them, {found.kept_rows} kept; the others up to there "
+        f"bind by at most {percent(found.removal)} of a limit, and limits are tightened by {percent(found.loss)} for "
+        f"them: leaving rows out costs no more torque than that, and is safe"
     )
+    behind = found.binding[:, found.horizon + 1 :]
+    if not automatic and behind.size and behind.max() > found.removal * (1 + 1e-6):
+        yield f"Behind this horizon torques can still exceed their limits, by up to {percent(float(behind.max()))}"
     yield f"{found.programs} linear programs"
 
 

@@ -101,6 +101,12 @@ def test_stationary_limits(governed) -> None:
     assert limits.envelope(np.array([0.0, 377.0, 0.0]))[1] == pytest.approx(3700 * 188.4956 / 377, rel=1e-5)
 
 
+def test_what_the_law_keeps_for_damping_is_not_there_at_rest(projects) -> None:
+    project = projects["differential"]  # its law keeps a tenth
+    limits = stationary_limits(project, project.prediction, project.testbed.governor)
+    np.testing.assert_allclose(limits.torque_share, [0.9 * 0.98, 0.95 * 0.98, 0.95 * 0.98])
+
+
 def test_scenario_beyond_the_torque_of_a_machine(governed, root: Path) -> None:
     course = load_scenario(root / "scenarios" / "differential-governed-field-weakening.toml", governed.testbed)
     limits = stationary_limits(governed, governed.prediction, governed.testbed.governor)
