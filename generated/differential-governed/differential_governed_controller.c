@@ -1776,28 +1776,37 @@ differential_governed_controller_status differential_governed_controller_step(di
     governor_change[2] = s->M3_speed_ref_shaped - M3_speed_ref_shaped_before;
     differential_governed_multiply(3, 3, &governor_gain[0][0], governor_change, governor_response);
     s->governor_demand_M1 = governor_free[0] + governor_response[0];
-    s->governor_slack_M1 = differential_governed_select(governor_in_force > 0.5, governor_lacking[0],
+    s->governor_slack_M1 = differential_governed_select(governor_in_force > 0.5,
+        differential_governed_select(governor_lacking[0] > -0.00025 * M1_least + 0.00025 * M1_most,
+        governor_lacking[0], 0.0),
         differential_governed_select(differential_governed_max(differential_governed_max(0.0, -s->governor_demand_M1
         + governor_least[0]), s->governor_demand_M1 - governor_most[0]) > -1e-05 * M1_least + 1e-05 * M1_most,
         differential_governed_max(differential_governed_max(0.0, -s->governor_demand_M1 + governor_least[0]),
         s->governor_demand_M1 - governor_most[0]), 0.0));
     s->governor_demand_M2 = governor_free[1] + governor_response[1];
-    s->governor_slack_M2 = differential_governed_select(governor_in_force > 0.5, governor_lacking[1],
+    s->governor_slack_M2 = differential_governed_select(governor_in_force > 0.5,
+        differential_governed_select(governor_lacking[1] > -0.00025 * M2_least + 0.00025 * M2_most,
+        governor_lacking[1], 0.0),
         differential_governed_select(differential_governed_max(differential_governed_max(0.0, -s->governor_demand_M2
         + governor_least[1]), s->governor_demand_M2 - governor_most[1]) > -1e-05 * M2_least + 1e-05 * M2_most,
         differential_governed_max(differential_governed_max(0.0, -s->governor_demand_M2 + governor_least[1]),
         s->governor_demand_M2 - governor_most[1]), 0.0));
     s->governor_demand_M3 = governor_free[2] + governor_response[2];
-    s->governor_slack_M3 = differential_governed_select(governor_in_force > 0.5, governor_lacking[2],
+    s->governor_slack_M3 = differential_governed_select(governor_in_force > 0.5,
+        differential_governed_select(governor_lacking[2] > -0.00025 * M3_least + 0.00025 * M3_most,
+        governor_lacking[2], 0.0),
         differential_governed_select(differential_governed_max(differential_governed_max(0.0, -s->governor_demand_M3
         + governor_least[2]), s->governor_demand_M3 - governor_most[2]) > -1e-05 * M3_least + 1e-05 * M3_most,
         differential_governed_max(differential_governed_max(0.0, -s->governor_demand_M3 + governor_least[2]),
         s->governor_demand_M3 - governor_most[2]), 0.0));
     s->governor_status = differential_governed_select(p->governor > 0.5,
-        differential_governed_select(governor_in_force > 0.5, differential_governed_select(governor_outcome > 0.5,
-        governor_outcome, differential_governed_select(s->M2_speed_ref_shaped != M2_speed_ref_shaped_target ||
-        s->M3_speed_ref_shaped != M3_speed_ref_shaped_target || s->diff_input_torque_ref_shaped !=
-        diff_input_torque_ref_shaped_target, 1.0, 0.0)), differential_governed_select(p->governor > 2.5, 4.0,
+        differential_governed_select(governor_in_force > 0.5,
+        differential_governed_select(differential_governed_max(differential_governed_max(0.0, s->governor_slack_M1),
+        differential_governed_max(s->governor_slack_M2, s->governor_slack_M3)) <= 0.0 && governor_outcome > 1.5 &&
+        governor_outcome < 2.5, 1.0, differential_governed_select(governor_outcome > 0.5, governor_outcome,
+        differential_governed_select(s->M2_speed_ref_shaped != M2_speed_ref_shaped_target || s->M3_speed_ref_shaped
+        != M3_speed_ref_shaped_target || s->diff_input_torque_ref_shaped != diff_input_torque_ref_shaped_target,
+        1.0, 0.0))), differential_governed_select(p->governor > 2.5, 4.0,
         differential_governed_select(differential_governed_max(differential_governed_max(0.0, s->governor_slack_M1),
         differential_governed_max(s->governor_slack_M2, s->governor_slack_M3)) > 0.0, 2.0,
         differential_governed_select(s->M2_speed_ref_shaped != M2_speed_ref_shaped_target || s->M3_speed_ref_shaped

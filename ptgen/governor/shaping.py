@@ -106,7 +106,8 @@ class ReferenceGovernor:
             found = self._optimal(w, law, measured, before, chosen, limits.stationary)
             proposal = "governor_proposal"
         self._release(w, references, chosen, proposal)
-        self._report(w, references, chosen, limits.rated, found)
+        removal = self.constraints.removal if self.constraints is not None else 0.0
+        self._report(w, references, chosen, limits.rated, found, removal)
 
     # -- parts
 
@@ -386,6 +387,7 @@ class ReferenceGovernor:
         chosen: sp.Symbol,
         rated: Sequence[sp.Expr],
         in_force: sp.Symbol | None,
+        removal: float,
     ) -> None:
         """Write what limits lack, and the status."""
         m, source = len(references), "status of the governor"
@@ -410,7 +412,11 @@ class ReferenceGovernor:
             beyond = greatest_of(0, asked - element("governor_most", k), element("governor_least", k) - asked)
             small = sp.Piecewise((beyond, beyond > _LACKING * rated[k]), (zero, True), evaluate=False)
             if in_force is not None:
-                small = sp.Piecewise((element("governor_lacking", k), in_force > HALF), (small, True), evaluate=False)
+                # Rows that were left out may take as much as limits were tightened for them: that is no lack.
+                lack = element("governor_lacking", k)
+                least = sp.Float(removal / 2) * rated[k]
+                lack = sp.Piecewise((lack, lack > least), (zero, True), evaluate=False)
+                small = sp.Piecewise((lack, in_force > HALF), (small, True), evaluate=False)
             w.assign(state.name, small, source)
             lacking.append(state)
         held = [
@@ -431,7 +437,8 @@ class ReferenceGovernor:
         else:
             value = sp.Piecewise((4, chosen > sp.Rational(5, 2)), (value, True), evaluate=False)
             outcome = signal_symbol("governor_outcome")
-            outcome = sp.Piecewise((outcome, outcome > HALF), (1, sp.Or(*held)), (0, True), evaluate=False)
+            hardly = And(outcome > 3 * HALF, outcome < 5 * HALF, greatest_of(*lacking, 0) <= 0)
+            outcome = sp.Piecewise((1, hardly), (outcome, outcome > HALF), (1, sp.Or(*held)), (0, True), evaluate=False)
             value = sp.Piecewise((outcome, in_force > HALF), (value, True), evaluate=False)
         w.assign(status.name, sp.Piecewise((value, chosen > HALF), (zero, True), evaluate=False), source)
 

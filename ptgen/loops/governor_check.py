@@ -2,26 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Literal
 
 import numpy as np
-import scipy.optimize
 from numpy.typing import NDArray
 
-from ptgen.errors import Problem, RunError, nearest
 from ptgen.governor.constraint_set import ConstraintSet
+from ptgen.governor.limit_rows import LimitRows, Situation
+from ptgen.governor.programs import Status, VectorGovernor
 from ptgen.shaping.optimal import LIMITED, optimal_governor
-from ptgen.shaping.ties import leaders
 from ptgen.testbed.governor_settings import GovernorSettings
 
-__all__ = ["SOLVERS", "SolverCheck", "SolverName", "check_solver"]
-
-SolverName = Literal["highs", "highs-ds", "highs-ipm"]
-
-SOLVERS: tuple[SolverName, ...] = ("highs", "highs-ds", "highs-ipm")
-"""Solvers of linear programs that can be compared with."""
+__all__ = ["SolverCheck", "check_solver"]
 
 Array = NDArray[np.float64]
 
@@ -33,6 +26,9 @@ _STRIDE = 7
 """Of the steps in which the governor holds back something, every so many are compared."""
 
 _MOST_STEPS = 20_000
+
+_TOLERANCE = 1e-6
+"""What a proven answer may violate or miss, as a share."""
 
 
 @dataclass(frozen=True)
@@ -52,7 +48,7 @@ class SolverCheck:
     violation : float
         Most by which its references violate a row of the whole horizon, as a share of the limit; not positive if none.
     unsolved : int
-        Situations for which that solver found nothing.
+        Situations for which that solver found nothing that could be proven.
     """
 
     solver: str
@@ -77,7 +73,7 @@ def check_solver(
     constraints : ConstraintSet
     settings : GovernorSettings
     solver : str
-        One of `SOLVERS`.
+        Any conic solver that CasADi has, see `ptgen.governor.conic_solver.present_solvers`.
     progress : callable, optional
         Told the share of the work that is done.
     situations : int
@@ -85,21 +81,22 @@ def check_solver(
 
     Raises
     ------
-    RunError
-        If there is no such solver.
+    ControlError
+        If there is no such solver, or it refuses linear programs.
     """
-    named = next((name for name in SOLVERS if name == solver), None)
-    if named is None:
-        raise RunError(
-            Problem(
-                "--solver", f'"{solver}" is unknown', f"{nearest(solver, SOLVERS)} (known are {', '.join(SOLVERS)})"
-            )
-        )
     loop, m = constraints.prediction, len(constraints.steps)
     speeds = np.array([not torque for torque in loop.torque_references])
     weight = np.where(speeds, settings.speed_weight, settings.torque_weight)
     group = speeds.astype(np.float64)
-    rows = _rows_of(constraints.full())
+    rows = LimitRows.predicted(constraints.full())
+    whole = VectorGovernor(
+        rows,
+        weight=weight.tolist(),
+        group=speeds.astype(int).tolist(),
+        tie=settings.tie,
+        solver=solver,
+        tolerance=_TOLERANCE,
+    )
     limits = (1 - settings.reserve) * np.array([limit.largest for limit in constraints.limits])
     tight = limits / (1 + constraints.removal)
     rows_x, rows_r, numbers = constraints.rows_x(), constraints.rows_r(), (*constraints.counts, settings.iterations)
@@ -120,24 +117,21 @@ def check_solver(
         if status == LIMITED:
             seen += 1
             if seen % _STRIDE == 0:
-                command = free + loop.D @ (wanted - before)
-                values = command[rows.machine] + rows.x @ away  # with the wanted references
-                slope = (loop.D[rows.machine] + rows.r) * (wanted - before)
-                leader = leaders(wanted, before, settings.tie, group)
-                best = _best(named, values, slope, limits[rows.machine], weight, leader)
-                h = _shares(shaped, before, wanted)
-                reached = np.abs(values - slope @ (1 - h)) / limits[rows.machine]
-                violation = max(violation, float(reached.max() - 1))
-                if best is None:
+                now = Situation(wanted, before, free, loop.D, -limits, limits, away)
+                at_before, slope = rows.at_before(now)
+                torques = at_before + slope @ (shaped - before)
+                violation = max(violation, float((np.abs(torques) / limits[rows.machine]).max() - 1))
+                best = whole.solve(now)
+                if best.status is Status.UNSOLVED:
                     unsolved += 1
                 else:
-                    loss = max(loss, float(weight @ (best - h) / weight.sum()))
+                    loss = max(loss, float(weight @ (best.h - _shares(shaped, before, wanted)) / weight.sum()))
                 compared += 1
                 progress(compared / situations)
         if compared >= situations:
             break
         x, before = loop.A @ x + loop.B @ shaped, shaped
-    return SolverCheck(named, compared, len(rows.machine), loss, violation, unsolved)
+    return SolverCheck(solver, compared, len(rows.machine), loss, violation, unsolved)
 
 
 def _spread(constraints: ConstraintSet, settings: GovernorSettings, speeds: NDArray[np.bool_]) -> Array:
@@ -155,34 +149,3 @@ def _spread(constraints: ConstraintSet, settings: GovernorSettings, speeds: NDAr
 def _shares(shaped: Array, before: Array, wanted: Array) -> Array:
     move = wanted - before
     return np.where(move != 0, (shaped - before) / np.where(move != 0, move, 1.0), 1.0)
-
-
-@dataclass(frozen=True)
-class _Rows:
-    """Rows of a set, those of the present step first: machine (N,), coefficients (N, n) and (N, m)."""
-
-    machine: NDArray[np.int64]
-    x: Array
-    r: Array
-
-
-def _rows_of(constraints: ConstraintSet) -> _Rows:
-    m, (n, _) = len(constraints.steps), constraints.prediction.B.shape
-    machine = np.concatenate([np.arange(m), np.repeat(np.arange(m), constraints.counts)])
-    rows_x = np.vstack([np.zeros((m, n)), constraints.rows_x()])
-    return _Rows(machine, rows_x, np.vstack([np.zeros((m, m)), constraints.rows_r()]))
-
-
-def _best(
-    solver: SolverName, values: Array, slope: Array, limits: Array, weight: Array, leader: Sequence[int]
-) -> Array | None:
-    """Return the best shares (m,) of the way to the wanted references; None without a solution."""
-    together = np.zeros((len(leader), len(leader)))
-    together[np.arange(len(leader)), leader] = 1.0
-    at_before = values - slope.sum(axis=1)
-    steep = slope @ together / limits[:, None]
-    room = np.concatenate([1 - at_before / limits, 1 + at_before / limits])
-    found = scipy.optimize.linprog(
-        -(weight @ together), np.vstack([steep, -steep]), room, bounds=(0.0, 1.0), method=solver
-    )
-    return None if found.x is None else np.asarray(together @ found.x)

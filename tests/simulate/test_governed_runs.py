@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from ptgen.errors import ControlError, RunError
+from ptgen.errors import ControlError
 from ptgen.governor.shaping import governor_signals
 from ptgen.loops.governed_run import Choice, Followed, excess, set_points
 from ptgen.loops.governor_check import check_solver
@@ -210,7 +210,7 @@ def test_rows_that_were_left_out_are_kept(governed) -> None:
     found = check_solver(study.constraints, settings, "highs", situations=8)
     assert found.situations == 8 and found.unsolved == 0
     assert found.violation <= 1e-9 and found.loss <= 2 * settings.removal
-    with pytest.raises(RunError, match="did you mean"):
+    with pytest.raises(ControlError, match="did you mean"):
         check_solver(study.constraints, settings, "hihgs")
 
 
