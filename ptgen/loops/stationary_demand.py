@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from ptgen.errors import Problem
 from ptgen.governor.prediction import Prediction
+from ptgen.loops.listing import listed
 from ptgen.mechanism.model import evaluate_matrix
 from ptgen.project import Project
 from ptgen.simulate.drives import value_at
@@ -94,17 +95,21 @@ class Beyond:
     def problem(self) -> Problem:
         """Return what is asked for in words, and what could be done."""
         unit = "N m" if self.quantity == "torque" else "rad/s"
-        given = " and ".join(
-            f"{name} = {_shown(value, 'N m' if name.endswith('torque_ref') else 'rad/s')}"
-            for name, value in self.references.items()
+        given = listed(
+            [
+                f"{name} = {_shown(value, 'N m' if name.endswith('torque_ref') else 'rad/s')}"
+                for name, value in self.references.items()
+            ]
         )
-        does = "needs" if self.quantity == "torque" else "turns at"
+        needed = _shown(self.needed, unit)
+        does = f"needs {needed} at rest" if self.quantity == "torque" else f"turns at {needed}"
         what = (
-            f"at {self.at:.4g} s {self.machine} {does} {_shown(self.needed, unit)} at rest for {given}, "
+            f"at {self.at:.4g} s {self.machine} {does} for {given}, "
             f"{_shown(abs(self.needed) - self.available, unit)} more than the {_shown(self.available, unit)} that a "
             f"governor may use of its {_shown(self.limit, unit)}"
         )
-        return Problem("references", what, f"ask for less, or let the governor hold it back to what {self.machine} has")
+        remedy = f"ask for less, or let the governor hold the references back to what {self.machine} has"
+        return Problem("references", what, remedy)
 
 
 def _shown(value: float, unit: str) -> str:

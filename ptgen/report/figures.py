@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import textwrap
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -24,6 +25,7 @@ __all__ = [
     "check_figure",
     "new_figure",
     "save_figure",
+    "set_headline",
 ]
 
 FORMATS = (".svg", ".png", ".pdf")
@@ -33,6 +35,10 @@ BLUE, ORANGE, GREEN = "#0072B2", "#D55E00", "#009E73"
 PALETTE = (BLUE, ORANGE, GREEN, "#CC79A7", "#56B4E9", "#E69F00", "#8C510A")
 REFERENCE = "#000000"
 INK, GREY, LIGHT = "#222222", "#777777", "#D5D5D5"
+
+_HEADLINE_SIZE = 12
+_HEADLINE_CHARACTER = 0.12
+"""Width of a character of a headline (inches), the spaces at both sides included."""
 
 _METADATA: dict[str, dict[str, Any]] = {
     ".svg": {"Date": None, "Creator": "ptgen"},
@@ -57,6 +63,12 @@ def new_figure(width: float, height: float, arranged: bool = True) -> Figure:
     from matplotlib.figure import Figure
 
     return Figure(figsize=(width, height), layout="constrained" if arranged else None, facecolor="white")
+
+
+def set_headline(figure: Figure, text: str) -> None:
+    """Set the title above all axes of a figure, in as many lines as its width asks for."""
+    width = int(figure.get_figwidth() / _HEADLINE_CHARACTER)
+    figure.suptitle("\n".join(textwrap.wrap(text, width)), fontsize=_HEADLINE_SIZE, fontweight="bold")
 
 
 def save_figure(figure: Figure, path: Path) -> None:

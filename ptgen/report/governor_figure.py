@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from ptgen.loops.governed_run import Excess, Followed, GovernedRun
 from ptgen.report.curves import thinned
-from ptgen.report.figures import GREY, LIGHT, PALETTE, REFERENCE, new_figure
+from ptgen.report.figures import GREY, LIGHT, PALETTE, REFERENCE, new_figure, set_headline
 from ptgen.report.quantities import readable, shown_unit
 from ptgen.units import from_si
 
@@ -59,7 +59,7 @@ def overview_figure(runs: Sequence[GovernedRun], title: str, points: int = _POIN
     followed, machines = runs[0].followed, list(runs[0].demands)
     rows = max(len(followed), len(machines))
     figure = new_figure(15.0, _HEIGHT * rows + 0.9)
-    figure.suptitle(title, fontsize=12, fontweight="bold")
+    set_headline(figure, title)
     grid = figure.subplots(rows, 2, sharex=True, squeeze=False)
     for k in range(rows):
         if k < len(followed):
@@ -82,7 +82,7 @@ def overview_figure(runs: Sequence[GovernedRun], title: str, points: int = _POIN
 
 def _stacked(count: int, title: str) -> tuple[Figure, list[Axes]]:
     figure = new_figure(10.5, _HEIGHT * count + 0.9)
-    figure.suptitle(title, fontsize=12, fontweight="bold")
+    set_headline(figure, title)
     panels = list(figure.subplots(count, 1, sharex=True, squeeze=False)[:, 0])
     panels[-1].set_xlabel("time (s)", fontsize=9)
     figure.align_ylabels(panels)

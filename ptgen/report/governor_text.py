@@ -14,6 +14,7 @@ from ptgen.governor.constraint_set import ConstraintSet
 from ptgen.loops.governed_run import Excess, GovernedRun, SetPoint
 from ptgen.loops.governor_check import SolverCheck
 from ptgen.loops.governor_study import GovernorStudy, OrderedStep
+from ptgen.loops.listing import listed
 from ptgen.loops.stationary_demand import StationaryLimits
 from ptgen.report.governor_plain import STATUS_NAMES
 from ptgen.report.quantities import percent, readable
@@ -109,9 +110,12 @@ def _step(step: OrderedStep) -> str:
         return f"{head}, which depends on no other reference at once"
     parts = []
     if step.earlier:
-        parts.append(f"which {' and '.join(step.earlier)} act on too: they are placed before, and give way")
+        act, are = ("acts", "it is") if len(step.earlier) == 1 else ("act", "they are")
+        give = "gives" if len(step.earlier) == 1 else "give"
+        parts.append(f"which {listed(step.earlier)} {act} on too: {are} placed before, and {give} way")
     if step.later:
-        parts.append(f"which {' and '.join(step.later)} act on too, but come later: taken for unchanged")
+        act, come = ("acts", "comes") if len(step.later) == 1 else ("act", "come")
+        parts.append(f"which {listed(step.later)} {act} on too, but {come} later: taken for unchanged")
     return f"{head}, {'; '.join(parts)}"
 
 

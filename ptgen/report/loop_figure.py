@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from ptgen.analysis.frequency import FrequencyResponse, frequency_grid, others_closed
 from ptgen.loops.loop_analysis import LoopAnalysis, LoopResult
-from ptgen.report.figures import BLUE, GREEN, GREY, INK, LIGHT, ORANGE, PALETTE, new_figure
+from ptgen.report.figures import BLUE, GREEN, GREY, INK, LIGHT, ORANGE, PALETTE, new_figure, set_headline
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -30,7 +30,7 @@ def loop_figure(found: LoopAnalysis) -> Figure:
     state = f", locked: {', '.join(found.locked)}" if found.locked else ""
     stable = "" if found.is_stable else " – UNSTABLE"
     title = f"{found.title}: closed loop with the {found.controller} controller{state}{stable}"
-    figure.suptitle(title, fontsize=12, fontweight="bold")
+    set_headline(figure, title)
     grid = figure.add_gridspec(4, columns, height_ratios=(1.15, 1.0, 1.0, 0.8))
     loop, steps = found.family.loop(found.chosen)
     omega = frequency_grid(loop)

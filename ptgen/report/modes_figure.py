@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from ptgen.mechanism.modes import Mode
 from ptgen.report.bed_tree import chains
-from ptgen.report.figures import GREY, INK, LIGHT, PALETTE, new_figure
+from ptgen.report.figures import GREY, INK, LIGHT, PALETTE, new_figure, set_headline
 from ptgen.report.quantities import percent
 from ptgen.testbed.testbed import Testbed
 
@@ -88,7 +88,7 @@ def modes_figure(modes: Sequence[Mode], bed: Testbed, locked: Collection[str] = 
     figure = new_figure(columns * max(4.2, 0.42 * bodies + 1.0), 1.75 * rows + 1.9)
     grid = figure.subplots(rows, columns, sharex=True, sharey=True, squeeze=False)
     state = f", locked: {', '.join(locked)}" if locked else ""
-    figure.suptitle(f"{bed.title}: modes{state}", fontsize=12, fontweight="bold")
+    set_headline(figure, f"{bed.title}: modes{state}")
     for index, axes in enumerate(grid.flat):
         if index >= len(groups):
             axes.set_visible(False)

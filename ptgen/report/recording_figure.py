@@ -13,7 +13,7 @@ from ptgen.elements import FrictionRole, SensorKind
 from ptgen.plant.layout import identifier, signal_name
 from ptgen.project import Project
 from ptgen.report.curves import thinned
-from ptgen.report.figures import GREY, LIGHT, PALETTE, REFERENCE, new_figure
+from ptgen.report.figures import GREY, LIGHT, PALETTE, REFERENCE, new_figure, set_headline
 from ptgen.report.quantities import shown_unit
 from ptgen.units import from_si
 
@@ -144,7 +144,7 @@ def recording_figure(recording: Recording, project: Project, title: str = "") ->
     drawn = panels(recording, project)
     figure = new_figure(9.0, 1.9 * len(drawn) + 1.0)
     grid = figure.subplots(max(1, len(drawn)), 1, sharex=True, squeeze=False)[:, 0]
-    figure.suptitle(title or project.testbed.title, fontsize=12, fontweight="bold")
+    set_headline(figure, title or project.testbed.title)
     for axes, panel in zip(grid, drawn, strict=False):
         _draw(axes, panel, recording.time)
     grid[-1].set_xlabel("time (s)", fontsize=9)
