@@ -90,6 +90,8 @@ const differential_governed_controller_params differential_governed_controller_d
     .M1_at_rest_diff_input_torque_ref = 1.0,
     .M2_at_rest_diff_input_torque_ref = -0.955,
     .M3_at_rest_diff_input_torque_ref = -0.955,
+    .M1_speed_at_rest_M2_speed_ref = 0.955,
+    .M1_speed_at_rest_M3_speed_ref = 0.955,
 };
 
 const differential_governed_controller_params differential_governed_controller_conventional = {
@@ -172,6 +174,8 @@ const differential_governed_controller_params differential_governed_controller_c
     .M1_at_rest_diff_input_torque_ref = 1.0,
     .M2_at_rest_diff_input_torque_ref = -0.955,
     .M3_at_rest_diff_input_torque_ref = -0.955,
+    .M1_speed_at_rest_M2_speed_ref = 0.955,
+    .M1_speed_at_rest_M3_speed_ref = 0.955,
 };
 
 /* references with the same positive number may be led together */
@@ -1008,6 +1012,8 @@ static const struct {
     { "the parameter M1_at_rest_diff_input_torque_ref is outside its range", offsetof(differential_governed_controller_params, M1_at_rest_diff_input_torque_ref), -DBL_MAX, DBL_MAX, 0, 0 },
     { "the parameter M2_at_rest_diff_input_torque_ref is outside its range", offsetof(differential_governed_controller_params, M2_at_rest_diff_input_torque_ref), -DBL_MAX, DBL_MAX, 0, 0 },
     { "the parameter M3_at_rest_diff_input_torque_ref is outside its range", offsetof(differential_governed_controller_params, M3_at_rest_diff_input_torque_ref), -DBL_MAX, DBL_MAX, 0, 0 },
+    { "the parameter M1_speed_at_rest_M2_speed_ref is outside its range", offsetof(differential_governed_controller_params, M1_speed_at_rest_M2_speed_ref), -DBL_MAX, DBL_MAX, 0, 0 },
+    { "the parameter M1_speed_at_rest_M3_speed_ref is outside its range", offsetof(differential_governed_controller_params, M1_speed_at_rest_M3_speed_ref), -DBL_MAX, DBL_MAX, 0, 0 },
 };
 
 enum { limit_count = sizeof limits / sizeof limits[0] };
@@ -1152,6 +1158,7 @@ differential_governed_controller_status differential_governed_controller_update(
     s->M1_twist_M1_M2_speed = (0.5) * p->diff_ratio;
     s->M1_twist_M1_M3_speed = (0.5) * p->diff_ratio;
     s->M1_torque_growth = p->M1_torque_integral_gain * p->sample_time;
+    s->M1_governed_speed = p->M1_speed_max * (1.0 - p->governor_stationary_reserve);
     s->M2_governed_speed = p->M2_speed_max * (1.0 - p->governor_stationary_reserve);
     s->M3_governed_speed = p->M3_speed_max * (1.0 - p->governor_stationary_reserve);
     s->M1_follows_M1 = p->M1_feedforward + p->M1_torque_gain * (s->M1_model_pull * p->M1_torque_model *
@@ -1640,11 +1647,20 @@ differential_governed_controller_status differential_governed_controller_step(di
         differential_governed_abs(diff_input_torque_ref_of_M3_reach))));
     const differential_governed_real diff_input_torque_ref_within = s->diff_input_torque_ref_limited *
         diff_input_torque_ref_share_at_rest;
-    /* largest speeds, steps 2 and 3 of Figure 7.4 */
-    const differential_governed_real M2_speed_ref_within = differential_governed_max(-s->M2_governed_speed,
+    /* largest speeds (7.19), steps 2 and 3 of Figure 7.4 */
+    const differential_governed_real M2_speed_ref_bounded = differential_governed_max(-s->M2_governed_speed,
         differential_governed_min(s->M2_governed_speed, s->M2_speed_ref_limited));
-    const differential_governed_real M3_speed_ref_within = differential_governed_max(-s->M3_governed_speed,
+    const differential_governed_real M3_speed_ref_bounded = differential_governed_max(-s->M3_governed_speed,
         differential_governed_min(s->M3_governed_speed, s->M3_speed_ref_limited));
+    const differential_governed_real speed_references_of_M1_reach = p->M1_speed_at_rest_M2_speed_ref *
+        M2_speed_ref_bounded + p->M1_speed_at_rest_M3_speed_ref * M3_speed_ref_bounded;
+    const differential_governed_real speed_references_of_M1_room = differential_governed_max(0.0,
+        s->M1_governed_speed);
+    const differential_governed_real speed_references_share_at_rest = differential_governed_min(1.0,
+        speed_references_of_M1_room / differential_governed_max(differential_governed_max(1e-30,
+        speed_references_of_M1_room), differential_governed_abs(speed_references_of_M1_reach)));
+    const differential_governed_real M2_speed_ref_within = M2_speed_ref_bounded * speed_references_share_at_rest;
+    const differential_governed_real M3_speed_ref_within = M3_speed_ref_bounded * speed_references_share_at_rest;
     /* what the governor works with */
     governor_wanted[0] = diff_input_torque_ref_within;
     governor_wanted[1] = M2_speed_ref_within;

@@ -90,6 +90,8 @@ typedef struct {
     differential_governed_real M1_at_rest_diff_input_torque_ref; /* torque of M1 at rest per diff_input_torque_ref */
     differential_governed_real M2_at_rest_diff_input_torque_ref; /* torque of M2 at rest per diff_input_torque_ref */
     differential_governed_real M3_at_rest_diff_input_torque_ref; /* torque of M3 at rest per diff_input_torque_ref */
+    differential_governed_real M1_speed_at_rest_M2_speed_ref; /* speed of M1 at rest per M2_speed_ref */
+    differential_governed_real M1_speed_at_rest_M3_speed_ref; /* speed of M1 at rest per M3_speed_ref */
 } differential_governed_controller_params;
 
 /* Inputs of a step. */
@@ -251,8 +253,9 @@ typedef struct {
     differential_governed_real M1_twist_M1_M2_speed; /* coefficient of M2_speed */
     differential_governed_real M1_twist_M1_M3_speed; /* coefficient of M3_speed */
     differential_governed_real M1_torque_growth; /* growth of the integrator per error */
-    differential_governed_real M2_governed_speed; /* largest speed reference that the governor lets through to M2 (rad/s) */
-    differential_governed_real M3_governed_speed; /* largest speed reference that the governor lets through to M3 (rad/s) */
+    differential_governed_real M1_governed_speed; /* largest speed to which the governor lets references drive M1 (rad/s) */
+    differential_governed_real M2_governed_speed; /* largest speed to which the governor lets references drive M2 (rad/s) */
+    differential_governed_real M3_governed_speed; /* largest speed to which the governor lets references drive M3 (rad/s) */
     differential_governed_real M1_follows_M1; /* change of the command of M1 with the reference of M1 */
     differential_governed_real torque_step_min; /* step of a torque reference that others leave room for (N m) */
     differential_governed_real governor_designed; /* 1 while gains and all else that the prediction rests on are those of the design */
@@ -375,6 +378,8 @@ typedef enum {
     differential_governed_controller_bad_M1_at_rest_diff_input_torque_ref = 2076, /* outside its range */
     differential_governed_controller_bad_M2_at_rest_diff_input_torque_ref = 2077, /* outside its range */
     differential_governed_controller_bad_M3_at_rest_diff_input_torque_ref = 2078, /* outside its range */
+    differential_governed_controller_bad_M1_speed_at_rest_M2_speed_ref = 2079, /* outside its range */
+    differential_governed_controller_bad_M1_speed_at_rest_M3_speed_ref = 2080, /* outside its range */
 } differential_governed_controller_status;
 
 extern const differential_governed_controller_params differential_governed_controller_defaults;

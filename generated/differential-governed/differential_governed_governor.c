@@ -98,8 +98,11 @@ static real led(const sequence *g, int row, int first, int squared)
     return sum;
 }
 
-/* How far the references led by `first` may move: in their boxes and, if they may go back, while they keep their rows. */
-static real room_of(const sequence *g, int first, real direction, const real *t)
+/*
+ * How far the references led by `first` may move: in their boxes and, if they may go back, while they keep their rows;
+ * without `back` no further than standing still.
+ */
+static real room_of(const sequence *g, int first, real direction, const real *t, int back)
 {
     real room = unlimited;
     for (int k = 0; k < g->count; ++k) {
@@ -108,6 +111,7 @@ static real room_of(const sequence *g, int first, real direction, const real *t)
             continue;
         }
         room = lesser(room, direction < 0.0 ? t[i] - g->back[i] : g->forth[i] - t[i]);
+        room = back ? room : lesser(room, larger(-direction * position(g, i, t), 0.0));
         if (g->modified) {
             const int row = g->row[i];
             const real rate = direction * led(g, row, first, 0), value = command(g, row, t);
@@ -122,7 +126,7 @@ static real room_of(const sequence *g, int first, real direction, const real *t)
  * Takes `lacking` off a row, as far as may be, with the least effort: the sum of squares of what each reference asks of
  * its own machine. The minimum moves along -lambda slope up to the bounds; the larger lambda, the more are at theirs.
  */
-static void give_way(const sequence *g, int row, real lacking, const real *t, real *moved)
+static void give_way(const sequence *g, int row, real lacking, const real *t, int back, real *moved)
 {
     real slope[m], effort[m], room[m], factor = 0.0;
     int full[m];
@@ -130,7 +134,8 @@ static void give_way(const sequence *g, int row, real lacking, const real *t, re
         const real rate = led(g, row, f, 0), square = led(g, row, f, 1);
         effort[f] = square > 0.0 ? sqrt(square) : 1.0;
         slope[f] = rate / effort[f];
-        room[f] = fabs(rate) > 0.0 ? room_of(g, f, rate * lacking > 0.0 ? -1.0 : 1.0, t) : 0.0;
+        const real direction = rate * lacking > 0.0 ? -1.0 : 1.0;
+        room[f] = fabs(rate) > 0.0 ? room_of(g, f, direction, t, back) : 0.0;
         full[f] = 0;
     }
     for (int round = 0; round <= m; ++round) {
@@ -192,7 +197,14 @@ static void make_room(const sequence *g, int row, int own, real reserve, real ra
         return;
     }
     real moved[m];
-    give_way(g, row, lacking, t, moved);
+    if (g->modified) { /* back only as far as standing still is not enough */
+        real still_moved[m];
+        give_way(g, row, lacking, t, 0, still_moved);
+        const real left = lacking + command(g, row, still_moved) - command(g, row, t);
+        give_way(g, row, left * lacking > 0.0 ? left : 0.0, still_moved, 1, moved);
+    } else {
+        give_way(g, row, lacking, t, 1, moved);
+    }
     int any_worse = 0;
     for (int k = 0; k < g->count; ++k) {
         const int other = row_of_step[k];

@@ -122,7 +122,12 @@ class _Sequence:
         above = ca.if_else(coupled, ca.fmax(still, value), value) - upper
         below = ca.if_else(coupled, ca.fmin(still, value), value) - lower
         lacking = ca.if_else(above > 0, above, ca.if_else(below < 0, below, 0.0))
-        moved = self._give_way(row, lacking, t)
+        plain = self._give_way(row, lacking, t)
+        towards = self._give_way(row, lacking, t, back=False)
+        left = lacking + self._command(row, towards) - self._command(row, t)
+        left = ca.if_else(left * lacking > 0, left, 0.0)
+        further = self._give_way(row, left, towards)
+        moved = [ca.if_else(self.modified, further[i], plain[i]) for i in range(self.m)]
         worse: Any = 0.0
         for other, _ in self.done:
             allowed = TOLERANCE * ca.fabs(self.most[other] - self.least[other]) + self._excess(other, t)
@@ -133,7 +138,7 @@ class _Sequence:
             for i in range(self.m)
         ]
 
-    def _give_way(self, row: int, lacking: Any, t: list[Any]) -> list[Any]:
+    def _give_way(self, row: int, lacking: Any, t: list[Any], back: bool = True) -> list[Any]:
         firsts = range(self.m)
         slope, effort, room = [], [], []
         for f in firsts:
@@ -143,7 +148,7 @@ class _Sequence:
             effort.append(ca.if_else(square > 0, ca.sqrt(ca.if_else(square > 0, square, 1.0)), 1.0))
             slope.append(rate / effort[f])
             direction = ca.if_else(rate * lacking > 0, -1.0, 1.0)
-            room.append(ca.if_else(rate == 0, 0.0, self._room(f, direction, t)))
+            room.append(ca.if_else(rate == 0, 0.0, self._room(f, direction, t, back)))
         full: list[Any] = [0.0 for _ in firsts]
         factor: Any = 0.0
         for turn in range(self.m + 1):
@@ -163,10 +168,12 @@ class _Sequence:
     def _led(self, row: int, first: int) -> Any:
         return sum((self.leads[i][first] * self.gain[row, i] * self.unit[i] for _, i in self.done), ca.SX(0))
 
-    def _room(self, first: int, direction: Any, t: list[Any]) -> Any:
+    def _room(self, first: int, direction: Any, t: list[Any], back: bool) -> Any:
         room = ca.SX(UNLIMITED)
         for row, i in self.done:
             own = ca.if_else(direction < 0, t[i] - self.back[i], self.forth[i] - t[i])
+            if not back:
+                own = ca.fmin(own, ca.fmax(-direction * self._position(i, t), 0.0))
             rate, value = direction * self._led(row, first), self._command(row, t)
             gap = ca.if_else(rate > 0, self.most[row] - value, value - self.least[row])
             kept = ca.fmin(own, gap / ca.if_else(rate == 0, 1.0, ca.fabs(rate)))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from ptgen.control.controller import ControllerBlock, controller_block
 from ptgen.control.design import ControlDesign
 from ptgen.errors import ControlError, Problem
-from ptgen.governor.constraint_set import ConstraintSet
+from ptgen.governor.constraint_set import ConstraintSet, torque_limits
 from ptgen.governor.prediction import Prediction
 from ptgen.governor.shaping import ReferenceGovernor
 from ptgen.mechanism.model import Model
@@ -37,8 +37,8 @@ def governed_controller(
     Raises
     ------
     ControlError
-        If the speed control of a machine has no governor, or if the optimal one needs what the controller does not
-        know.
+        If the speed control of a machine has no governor, if more torque is to be kept free than there is, or if the
+        optimal one needs what the controller does not know.
     """
     tuning = testbed.tuning
     names = [design.decoupling.machines[k] for k in design.decoupling.actuators[design.decoupling.torque_count :]]
@@ -51,5 +51,20 @@ def governed_controller(
     if testbed.governor.kind == "optimal" and changing:
         what = f"looks ahead with one model of the bed, but {' and '.join(changing)} changes at run time"
         raise ControlError(Problem("governor.kind", what, 'choose "sequential_modified", which needs no model'))
+    _check_reserve(design, testbed, full)
     governor = ReferenceGovernor(testbed.governor, prediction, constraints)
     return controller_block(design.decoupling, design.gains, tuning, full, testbed.sample_time, governor)
+
+
+def _check_reserve(design: ControlDesign, testbed: Testbed, full: Model) -> None:
+    """Refuse a reserve of torque that leaves a torque-controlled machine nothing."""
+    settings, decoupling, problems = testbed.governor, design.decoupling, []
+    limits = dict(zip(decoupling.machines, torque_limits(full), strict=True))
+    for machine in decoupling.actuators[: decoupling.torque_count]:
+        name = decoupling.machines[machine]
+        available = (1 - settings.reserve) * limits[name].largest
+        if settings.torque_reserve >= available:
+            what = f"{settings.torque_reserve:g} N m is as much as all that the governor may use of {name}, or more"
+            problems.append(Problem("governor.torque_reserve", what, f"take less than {available:g} N m"))
+    if problems:
+        raise ControlError(problems)

@@ -83,6 +83,8 @@ class Prediction:
     references, reference_units : tuple of str (m)
         Of each machine, in the order of `machines`, as signals of the controller.
     machines, disturbances : tuple of str
+    V : ndarray (m, n)
+        The speed of each machine (rad/s) from the states.
     estimate : StateEstimate
         The states from signals of the controller.
     sample_time : float
@@ -94,6 +96,7 @@ class Prediction:
     C: Array
     D: Array
     W: Array
+    V: Array
     states: tuple[str, ...]
     state_units: tuple[str, ...]
     references: tuple[str, ...]
@@ -116,6 +119,13 @@ class Prediction:
         return np.asarray(np.where(np.abs(values) > 1e-9 * size, values, 0.0), dtype=np.float64)
 
     @cached_property
+    def speeds_at_rest(self) -> Array:
+        """Speeds of the machines at rest per reference (m, m), for the limits (7.19)."""
+        values = self.V @ self.steady
+        size = np.abs(self.V) @ np.abs(self.steady)
+        return np.asarray(np.where(np.abs(values) > 1e-6 * size, values, 0.0), dtype=np.float64)
+
+    @cached_property
     def torque_references(self) -> tuple[bool, ...]:
         """Whether each reference is a torque."""
         return tuple(unit == "N m" for unit in self.reference_units)
@@ -132,6 +142,12 @@ class Prediction:
             "C": (self.C, u, x, "torque commands from states (7.28), (7.29)"),
             "D": (self.D, u, r, "torque commands from references (7.28), (7.29)"),
             "W": (self.W, u, T, "torque commands from friction torques (7.29)"),
+            "V": (
+                self.V,
+                (tuple(f"{name}_speed" for name in self.machines), ("rad/s",) * len(self.machines)),
+                x,
+                "speeds of the machines from states (7.19)",
+            ),
             "X": (self.steady, x, r, "states at rest from constant references"),
             "Y": (self.stationary, u, r, "torque commands at rest from constant references (7.34)"),
             "E": (self.estimate.values, x, q, "states from signals of the controller"),
@@ -187,6 +203,7 @@ def predict_loop(design: ControlDesign, testbed: Testbed) -> Prediction:
         C=loop.C,
         D=loop.D,
         W=_from_sensors(controller, decoupling)[1] @ F_y,
+        V=_speeds(decoupling, values, loop.states),
         states=loop.states,
         state_units=state_units,
         references=names,
@@ -206,6 +223,18 @@ def _sensors(decoupling: Decoupling, values: Mapping[sp.Symbol, float]) -> tuple
     D = np.vstack([evaluate_matrix(form.u, values) for form in forms])
     F = np.vstack([evaluate_matrix(form.f, values) for form in forms])
     return C, D, F
+
+
+def _speeds(decoupling: Decoupling, values: Mapping[sp.Symbol, float], states: tuple[str, ...]) -> Array:
+    """Return the speed of each machine from the states of the loop."""
+    model = decoupling.model
+    rows = [model.velocity_rows[next(iter(torque.row))] for torque in model.inputs]
+    from_velocities = np.vstack([evaluate_matrix(row, values) for row in rows])
+    result = np.zeros((len(rows), len(states)))
+    for k, name in enumerate(model.coordinates):
+        if name in states:
+            result[:, states.index(name)] = from_velocities[:, k]
+    return result
 
 
 def _references(

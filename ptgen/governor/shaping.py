@@ -88,7 +88,7 @@ class ReferenceGovernor:
         before = [self._before(w, reference) for reference in references]
         limits = _narrowed(w, law, envelopes, before)
         within = limited_torques(w, references, limits.stationary, self.prediction.stationary, measured)
-        within |= limited_speeds(w, references)
+        within |= limited_speeds(w, references, self.prediction.speeds_at_rest)
         vectors = {
             "wanted": [within[k] for k in range(m)],
             "before": before,

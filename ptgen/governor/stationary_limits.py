@@ -28,22 +28,49 @@ Array = NDArray[np.float64]
 _TINY = sp.Float("1e-30")
 
 
-def limited_speeds(w: ControllerWriter, references: Sequence[Reference]) -> dict[int, sp.Expr]:
-    """Write steps 2 and 3: every speed reference within what is left of the machine's largest speed."""
-    result: dict[int, sp.Expr] = {}
+def limited_speeds(w: ControllerWriter, references: Sequence[Reference], at_rest: Array) -> dict[int, sp.Expr]:
+    """Write steps 2 and 3: every speed reference within what is left of the machines' largest speeds.
+
+    Where several speeds drive a machine that controls a torque, they are scaled down together until it keeps its own
+    (7.19); the source looks at each reference by itself.
+
+    Parameters
+    ----------
+    w : ControllerWriter
+    references : sequence of Reference (m)
+    at_rest : ndarray (m, m)
+        Speed of each machine at rest, per reference.
+    """
+    source = "largest speeds (7.19), steps 2 and 3 of Figure 7.4"
+    speeds = [k for k, reference in enumerate(references) if reference.unit != "N m"]
+    values: dict[int, sp.Expr] = {}
+    rows: dict[int, dict[int, sp.Symbol]] = {}
+    rooms: dict[int, tuple[sp.Symbol, sp.Symbol]] = {}
     for machine, reference in enumerate(references):
-        if reference.unit == "N m":
+        driven = {k: at_rest[machine, k] for k in speeds if at_rest[machine, k] != 0}
+        if not driven:
             continue
         name, drive = w.design.machines[machine], w.design.model.inputs[machine].drive
         bound = w.derive(
             f"{name}_governed_speed",
             "rad/s",
-            f"largest speed reference that the governor lets through to {name}",
+            f"largest speed to which the governor lets references drive {name}",
             (1 - signal_symbol("governor_stationary_reserve")) * w.of_bed(drive.speed_max),
         )
-        within = greatest_of(-bound, smallest_of(bound, reference.limited))
-        result[machine] = w.assign(f"{reference.signal}_within", within, "largest speeds, steps 2 and 3 of Figure 7.4")
-    return result
+        if machine in speeds:
+            within = greatest_of(-bound, smallest_of(bound, reference.limited))
+            values[machine] = w.assign(f"{reference.signal}_bounded", within, source)
+            continue
+        rooms[machine] = (bound, bound)
+        for k, factor in driven.items():
+            text = f"speed of {name} at rest per {references[k].signal}"
+            value = float(f"{factor:.9g}")
+            row = rows.setdefault(machine, {})
+            row[k] = w.parameter(f"{name}_speed_at_rest_{references[k].signal}", "", text, value, None)
+    if rows:
+        involved = {k for row in rows.values() for k in row}
+        values |= _scaled(w, "speed_references", {k: values[k] for k in involved}, rows, rooms, source)
+    return {k: w.assign(f"{references[k].signal}_within", value, source) for k, value in values.items()}
 
 
 def limited_torques(

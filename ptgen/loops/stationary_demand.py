@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 from ptgen.errors import Problem
 from ptgen.governor.prediction import Prediction
 from ptgen.loops.listing import listed
-from ptgen.mechanism.model import evaluate_matrix
 from ptgen.project import Project
 from ptgen.simulate.drives import value_at
 from ptgen.testbed.governor_settings import GovernorSettings
@@ -125,15 +124,7 @@ def stationary_limits(project: Project, prediction: Prediction, settings: Govern
     prediction : Prediction
     settings : GovernorSettings
     """
-    decoupling = project.design.decoupling
-    model, values = decoupling.model, {**decoupling.values, **project.design.tuned_inertia}
-    at_rest = np.zeros((len(model.coordinates), len(prediction.references)))
-    for k, name in enumerate(model.coordinates):
-        if name in prediction.states:
-            at_rest[k] = prediction.steady[prediction.states.index(name)]
-    rows = [model.velocity_rows[next(iter(torque.row))] for torque in model.inputs]
-    speed = np.vstack([np.atleast_2d(evaluate_matrix(row, values)) for row in rows]) @ at_rest
-    speed[np.abs(speed) < 1e-9] = 0.0
+    speed = prediction.speeds_at_rest
     drives = [torque.drive for torque in project.model.inputs]
     known = project.model.values
 

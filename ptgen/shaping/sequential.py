@@ -8,7 +8,8 @@ reference q with its row p:
 1. If row p would be violated though q changes by no more than its minimal rate, and with a reserve of torque kept
    free, the earlier references give way: they are moved to the nearest point that keeps the row, see `_give_way`. For
    two equal machines that is the projection of the source's Figure 7.10. If that violated an earlier row,
-   all of them are held back by the same share instead.
+   all of them are held back by the same share instead. With (7.43) they first give way as far as standing still,
+   and go back only for what is lacking then.
    The change of q counts as well if it helps, unless an earlier row depends on q and might forbid it.
 2. Reference q is moved as far back from the wanted value as row p needs, and so that no earlier row gets worse.
 
@@ -164,7 +165,10 @@ class _Problem:
         lacking = above if above > 0.0 else below if below < 0.0 else 0.0
         if lacking == 0.0 or not self.earlier:
             return
-        moved = self._give_way(row, lacking)
+        moved = self._give_way(row, lacking, self.t, back=not self.modified)
+        if self.modified:  # back only as far as standing still is not enough
+            left = lacking + self._command(row, moved) - self._command(row, self.t)
+            moved = self._give_way(row, left, moved) if left * lacking > 0.0 else moved
         worse = False
         for other, _ in self.earlier:
             worst = TOLERANCE * abs(self.most[other] - self.least[other]) + self._excess(other, self.t)
@@ -177,7 +181,7 @@ class _Problem:
         value = self._command(row, t)
         return float(max(value - self.most[row], self.least[row] - value, 0.0))
 
-    def _give_way(self, row: int, lacking: float) -> Array:
+    def _give_way(self, row: int, lacking: float, t: Array, back: bool = True) -> Array:
         r"""Return coordinates that take `lacking` off a row, as far as they may, with the least effort.
 
         The effort is :math:`\sum_i (G_{p_i i} \delta_i)^2`, in torque of each reference's own machine, so it does not
@@ -194,7 +198,7 @@ class _Problem:
             effort[place] = effort[place] if effort[place] > 0.0 else 1.0
             slope[place] = rate / effort[place]
             direction = -1.0 if rate * lacking > 0.0 else 1.0
-            room[place] = min(self._room(i, tied, direction) for i in tied) if rate != 0.0 else 0.0
+            room[place] = min(self._room(i, tied, direction, t, back) for i in tied) if rate != 0.0 else 0.0
         full, wanted = np.zeros(len(firsts), dtype=bool), abs(lacking)
         for _ in firsts:
             left = wanted - np.sum(np.abs(slope[full]) * room[full] * effort[full])
@@ -204,7 +208,7 @@ class _Problem:
         left = wanted - np.sum(np.abs(slope[full]) * room[full] * effort[full])
         stiffness = np.sum(slope[~full] ** 2)
         factor = left / stiffness if stiffness > 0.0 else 0.0
-        moved = self.t.copy()
+        moved = t.copy()
         for place, first in enumerate(firsts):
             step = room[place] if full[place] else factor * abs(slope[place]) / effort[place]
             direction = -np.sign(slope[place] * lacking)
@@ -212,14 +216,16 @@ class _Problem:
                 moved[i] += direction * step
         return moved
 
-    def _room(self, reference: int, tied: list[int], direction: float) -> float:
+    def _room(self, reference: int, tied: list[int], direction: float, t: Array, back: bool) -> float:
         """Return how far a coordinate may move: in its box and, if it may go back, while its own row is kept."""
         low, high = self.box[:, reference]
-        room = self.t[reference] - low if direction < 0.0 else high - self.t[reference]
+        room = t[reference] - low if direction < 0.0 else high - t[reference]
+        if not back:
+            room = min(room, max(-direction * self._position(reference, t), 0.0))
         if self.modified:
             row = self.row_of[reference]
             rate = direction * sum(self.gain[row, i] for i in tied)
-            value = self._command(row, self.t)
+            value = self._command(row, t)
             gap = self.most[row] - value if rate > 0.0 else value - self.least[row]
             if rate != 0.0:
                 room = min(room, gap / abs(rate))

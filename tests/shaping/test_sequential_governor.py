@@ -240,3 +240,12 @@ def test_machines_that_a_reference_does_not_move(modified: float) -> None:
     """Zero gains everywhere: nothing to divide by."""
     p = bed(wanted=[1.0, 2.0, 3.0], gain=np.zeros((3, 3)), free=[1e4, 0.0, -1e4], modified=modified)
     assert np.array_equal(shape(p), p.wanted)
+
+
+@pytest.mark.parametrize("modified", [0.0, 1.0])
+def test_a_speed_with_little_to_go_is_not_driven_back(modified: float) -> None:
+    """While standing still keeps a shared limit, (7.43) moves no reference away from the wanted one."""
+    p = bed(wanted=[0.0, 0.3, 10.0], free=[800.0, 0.0, 0.0], modified=modified)
+    shaped = shape(p)
+    assert ((shaped >= p.before) & (shaped <= p.wanted)).all()
+    assert excess(p, shaped).max() < 1e-9

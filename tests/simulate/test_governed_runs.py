@@ -243,3 +243,20 @@ def test_single_precision_shapes_the_same_references(governed, event) -> None:
         assert np.abs(one - other).mean() < 1e-3 * np.abs(one).max()
     assert runs[1].signals["governor_status"].max() <= 2
     assert np.abs(runs[1].signals["governor_demand_M1"]).max() < 930.0
+
+
+def test_speeds_together_keep_the_machine_that_they_drive(governed) -> None:
+    """Each within its own limit, both would drive M1 to 11 900 rpm; it keeps its 9000 rpm (7.19)."""
+    both = {"speed_M2": steps((0.0, 0.0), (0.05, 5500 * RPM)), "speed_M3": steps((0.0, 0.0), (0.05, 7000 * RPM))}
+    course = scenario(12.0, torque_M1=steps((0.0, 0.0), (0.05, 100.0)), **both)
+    run = simulate(governed, course, parameters={"governor": 2.0})
+    assert np.abs(run.signals["M1_speed"]).max() < 9000 * RPM
+    assert run.signals["diff_input_torque_ref_shaped"][-1] == pytest.approx(100.0)
+    ratio = run.signals["M2_speed_ref_shaped"][-1] / run.signals["M3_speed_ref_shaped"][-1]
+    assert 0.7 < ratio < 1.0
+
+
+def test_a_reserve_that_leaves_nothing_is_refused(governed) -> None:
+    settings = governed.testbed.governor.model_copy(update={"kind": "sequential", "torque_reserve": 900.0})
+    with pytest.raises(ControlError, match=r"torque_reserve: 900 N m .* of M1.*less than 883.5 N m"):
+        governed_project(governed, settings).controller  # noqa: B018
