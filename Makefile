@@ -42,7 +42,7 @@ bench: $(VENV)/test
 	$(BIN)/python bench/run.py
 	$(BIN)/python bench/controller.py
 	$(BIN)/python bench/solver.py
-	$(BIN)/python bench/governor.py
+	$(BIN)/python bench/governor_kernels.py
 	$(BIN)/python bench/accuracy.py
 	$(BIN)/python bench/simulators.py
 

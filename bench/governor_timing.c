@@ -1,4 +1,4 @@
-/* Solves one problem of the governor many times: `governor_timing sequential|optimal <count>`; see governor.py. */
+/* Solves one problem of the governor many times: `governor_timing sequential|optimal <count>`; see governor_kernels.py. */
 #include "bed_governor.h"
 
 #include <stdio.h>

@@ -14,7 +14,8 @@ reference q with its row p:
 2. Reference q is moved as far back from the wanted value as row p needs, and so that no earlier row gets worse.
 
 By (7.41) a reference stays between its last value and the wanted one. The modification (7.43) only keeps it from
-passing the wanted one: it may go back, so that limits are kept that would be violated without any change.
+passing the wanted one: it may go back, so that limits are kept that would be violated without any change. Tied
+references move by as much as the one that has to move most, be it past a wanted one that is closer than the tie.
 
 *Coordinates.* Reference i is at :math:`\Delta_i = \Delta_{i,wanted} + t_i e_i`. By (7.41) :math:`e_i` is the wanted
 change and :math:`-1 \le t_i \le 0`, so tied references go on by the same share; by (7.43) :math:`e_i` is 1, so tied

@@ -173,9 +173,9 @@ def test_work_is_bounded(root: Path, tmp_path: Path) -> None:
     if shutil.which("valgrind") is None:
         pytest.skip("valgrind is not installed")
     sys.path.insert(0, str(root / "bench"))
-    import governor
+    import governor_kernels
 
-    iterations, _ = governor.solve()
+    iterations, _ = governor_kernels.solve()
     for count, bound in ((0, 7_000), (5, 30_000)):
         program = governor.build(tmp_path, "double", int(np.flatnonzero(iterations == count)[0]), "cc")
         assert governor.instructions(program, "optimal") <= bound
