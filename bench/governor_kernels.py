@@ -1,4 +1,4 @@
-"""Time and instructions of the emitted governors, with 240 rows, 9 states, 3 machines: ``python bench/governor_kernels.py``.
+"""Time and instructions of the emitted governors, with 240 rows, 9 states, 3 machines: ``bench/governor_kernels.py``.
 
 For problems in which nothing binds, and for those that take 1, 2, ... iterations, the mean and the largest time of one
 solution; and, where valgrind is installed, the instructions of one.
