@@ -85,8 +85,7 @@ CASES = (
         "the limit of M1 is exceeded for a moment near 3 s, with (7.43) it is not; with the larger weight the speeds "
         "are adjusted first; sequential and optimal governor differ where torque and speeds change at once.",
         "Agrees. The references of the source are known from pictures only, and drawn anew so that its text holds "
-        "([scenario](../scenarios/differential-governed-steps.toml)). M3 pays for (7.43) with a dip of 20 rpm near "
-        "6.5 s.",
+        "([scenario](../scenarios/differential-governed-steps.toml)).",
         _figure_7_5,
     ),
     Case(
