@@ -10,8 +10,8 @@ r"""Prediction, rows and linear program of the governor as CasADi functions, to 
     The data of (7.36): minimise ``cost' h`` with ``lower <= A h <= upper`` and ``0 <= h <= 1``. The rows of ties stand
     last: ``h_i - h_j`` is zero when references i and j are tied, and anything otherwise.
 
-Matrices have nine digits. Arguments are those of `ptgen.governor.limit_rows.Situation`; names and units of states and
-references are those of `ptgen.governor.prediction.Prediction`.
+Matrices are rounded, see `ptgen.governor.digits`. Arguments are those of `ptgen.governor.limit_rows.Situation`; names
+and units of states and references are those of `ptgen.governor.prediction.Prediction`.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from itertools import combinations
 import casadi as ca
 
 from ptgen.block.function_files import function_files
-from ptgen.governor.digits import nine_digits
+from ptgen.governor.digits import rounded, significant
 from ptgen.governor.limit_rows import LimitRows
 from ptgen.governor.prediction import Prediction
 
@@ -36,7 +36,7 @@ def predict_function(prediction: Prediction) -> ca.Function:
     n, m = prediction.B.shape
     x, r, d = ca.MX.sym("state", n), ca.MX.sym("references", m), ca.MX.sym("offset", m)
     given = (prediction.A, prediction.B, prediction.C, prediction.D)
-    A, B, C, D = (ca.DM(nine_digits(matrix)) for matrix in given)
+    A, B, C, D = (ca.DM(significant(matrix, 10)) for matrix in given)
     return ca.Function(
         "governor_predict",
         [x, r, d],
@@ -114,7 +114,7 @@ def _rows(rows: LimitRows) -> tuple[dict[str, ca.MX], ca.MX, ca.MX]:
     sizes = {"gain": (m, m), "deviation": (n, 1)}
     known = {name: ca.MX.sym(name, *sizes.get(name, (m, 1))) for name in _KNOWN}
     machine = rows.machine.tolist()
-    rows_x, rows_r = ca.DM(nine_digits(rows.x)), ca.DM(nine_digits(rows.r))
+    rows_x, rows_r = ca.DM(rounded(rows.x)), ca.DM(rounded(rows.r))
     moved = rows_r @ (known["wanted"] - known["before"])
     slope = known["gain"][machine, :] + rows_r
     return known, known["free"][machine] + rows_x @ known["deviation"] - moved, slope

@@ -34,6 +34,7 @@ from ptgen.control.unlimited_law import UnlimitedLaw
 from ptgen.control.writer import ControllerWriter, greatest_of, signal_symbol, smallest_of
 from ptgen.errors import ControlError, Problem
 from ptgen.governor.constraint_set import ConstraintSet
+from ptgen.governor.digits import rounded, significant
 from ptgen.governor.prediction import Prediction
 from ptgen.governor.stationary_limits import limited_speeds, limited_torques
 from ptgen.governor.step_order import step_order
@@ -231,7 +232,7 @@ class ReferenceGovernor:
         table = np.hstack([prediction.estimate.values, -prediction.steady])
         names = (*prediction.estimate.signals, *(f"wanted {name}" for name in prediction.references))
         text = "state of the closed loop less the one in which it would rest, per"
-        w.tables["governor_estimate"] = Table("governor_estimate", "", text, _rounded(table), names)
+        w.tables["governor_estimate"] = Table("governor_estimate", "", text, significant(table), names)
         wanted = [element("governor_wanted", k) for k in range(m)]
         _fill(w, "governor_signals", "what the state follows from", [*known, *wanted], source)
         w.array("governor_deviation", "state less the one in which it would rest", len(table))
@@ -241,9 +242,9 @@ class ReferenceGovernor:
         if not sum(counts):  # no row but those of this step
             rows_x, rows_r = np.zeros((1, len(table))), np.zeros((1, m))
         text = "what predicted commands add to those of this step, per"
-        w.tables["governor_rows_x"] = Table("governor_rows_x", "", f"{text} state", _rounded(rows_x), prediction.states)
+        w.tables["governor_rows_x"] = Table("governor_rows_x", "", f"{text} state", rounded(rows_x), prediction.states)
         w.tables["governor_rows_r"] = Table(
-            "governor_rows_r", "", f"{text} change of a wanted reference", _rounded(rows_r), prediction.references
+            "governor_rows_r", "", f"{text} change of a wanted reference", rounded(rows_r), prediction.references
         )
         narrow = sp.Float(1 / (1 + constraints.removal), 17)
         free = [
@@ -505,11 +506,6 @@ def _narrowed(
         kept = smallest_of(*shares) if len(shares) > 1 else shares[0]
         stationary.append((kept * envelope.least, kept * envelope.most))
     return _Limits(tuple(present), tuple(stationary), tuple(envelope.most - envelope.least for envelope in envelopes))
-
-
-def _rounded(matrix: Array) -> Array:
-    """Round to nine digits: more would emit the rounding errors of the linear algebra at hand."""
-    return np.array([[float(f"{value:.8e}") for value in row] for row in matrix])
 
 
 def _fill(w: ControllerWriter, name: str, text: str, entries: Sequence[sp.Expr], source: str) -> None:

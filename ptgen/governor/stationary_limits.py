@@ -101,7 +101,7 @@ def limited_torques(
             if stationary[machine, k] == 0:
                 continue
             text = f"torque of {name} at rest per {references[k].signal}"
-            value = float(f"{stationary[machine, k]:.12g}")
+            value = float(f"{stationary[machine, k]:.9g}")
             rows.setdefault(machine, {})[k] = w.parameter(
                 f"{name}_at_rest_{references[k].signal}", "", text, value, None
             )
