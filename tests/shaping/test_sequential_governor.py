@@ -12,6 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from ptgen.shaping.sequential import sequential_governor
+from ptgen.shaping.ties import leaders
 
 DIFFERENTIAL = (1, 1, 2, 2, 0, 0)
 """Both speeds first, then the torque, whose machine accelerates the others."""
@@ -198,6 +199,14 @@ def test_the_modification_never_passes_the_wanted_reference(seed: int) -> None:
     free = shape(p, FIVE.order, (0,) * 5)
     side = np.sign(p.wanted - p.before)
     assert np.all(side * (free - p.wanted) <= 1e-12 * np.abs(p.wanted))
+    # One that is tied may pass a wanted one that is closer than the tie, by what its partner moves too.
+    shaped = shape(p, FIVE.order, FIVE.group)
+    for index, reference in np.argwhere(side * (shaped - p.wanted) > 1e-12 * np.abs(p.wanted)):
+        led = np.array(leaders(p.wanted[index], p.before[index], float(p.tie[index]), np.array(FIVE.group)))
+        partners = led == led[reference]
+        assert partners.sum() > 1
+        assert abs(p.wanted[index] - p.before[index])[reference] < p.tie[index]
+        assert np.ptp((shaped - p.wanted)[index][partners]) < 1e-9 * (1 + np.abs(p.wanted[index]).max())
     own = np.abs(p.gain[:, range(1, 5), range(1, 5)]) > 0
     worse = excess(p, free)[:, 1:] > excess(p, plain)[:, 1:] + 1e-9 * (p.most - p.least)[:, 1:]
     assert not np.any(worse & own)
