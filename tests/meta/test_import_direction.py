@@ -17,6 +17,7 @@ ORDER = (
     "units",
     "elements",
     "components",
+    "gears",
     "testbed",
     "mechanism",
     "friction",

@@ -1,0 +1,20 @@
+"""What a gear set can do, from its layout alone: gears, neutrals and tie-ups, their speeds, torques and losses."""
+
+from ptgen.gears.analysis import GearAnalysis, analyse_gears
+from ptgen.gears.combinations import Combination, State
+from ptgen.gears.gear import Gear
+from ptgen.gears.joined import layout_of
+from ptgen.gears.layout import Layout
+from ptgen.gears.shift_table import gear_ratios, shift_table_problems
+
+__all__ = [
+    "Combination",
+    "Gear",
+    "GearAnalysis",
+    "Layout",
+    "State",
+    "analyse_gears",
+    "gear_ratios",
+    "layout_of",
+    "shift_table_problems",
+]
