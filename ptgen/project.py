@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cached_property
 from pathlib import Path
 
@@ -14,6 +15,7 @@ from ptgen.governor.governed_controller import governed_controller
 from ptgen.governor.prediction import Prediction, predict_loop
 from ptgen.governor.set_cache import cached_constraint_set
 from ptgen.mechanism.assembly import assemble
+from ptgen.mechanism.control_bed import as_ratio_rules, control_bed
 from ptgen.mechanism.mechanism import Mechanism
 from ptgen.mechanism.model import Model
 from ptgen.mechanism.reduction import ReducedModel, reduce_mechanism
@@ -64,16 +66,39 @@ class Project:
             return assemble(self.mechanism)
 
     @cached_property
+    def control_bed(self) -> Testbed:
+        """The bed as control sees it: the bed itself, or with ratios in place of transmissions."""
+        return control_bed(self.testbed)
+
+    @cached_property
+    def control_mechanism(self) -> Mechanism:
+        """The elements of the bed as control sees it."""
+        return self.mechanism if self.control_bed is self.testbed else Mechanism.of(self.control_bed)
+
+    @cached_property
+    def control_model(self) -> Model:
+        """The full model of the bed as control sees it, all gaps closed."""
+        if self.control_bed is self.testbed:
+            return self.model
+        with _located(self.testbed.file):
+            return assemble(self.control_mechanism.with_closed_backlash())
+
+    @cached_property
     def reduced(self) -> ReducedModel:
         """The reduced model."""
         with _located(self.testbed.file):
-            return reduce_mechanism(self.mechanism, self.testbed.reduction, self.model)
+            settings = self.control_bed.reduction
+            reduced = reduce_mechanism(self.control_mechanism, settings, self.control_model)
+            if self.control_bed is self.testbed:
+                return reduced
+            rules = as_ratio_rules(self.testbed, self.model, self.control_model, settings.locked)
+            return replace(reduced, rules=(*rules, *reduced.rules))
 
     @cached_property
     def design(self) -> ControlDesign:
         """The control design."""
         with _located(self.testbed.file):
-            return design_control(self.testbed, self.reduced.full, self.reduced)
+            return design_control(self.control_bed, self.reduced.full, self.reduced)
 
     @cached_property
     def plant(self) -> Block:
@@ -90,7 +115,7 @@ class Project:
     def prediction(self) -> Prediction:
         """The nominal closed loop that a reference governor predicts with."""
         with _located(self.testbed.file):
-            return predict_loop(self.design, self.testbed)
+            return predict_loop(self.design, self.control_bed)
 
     @cached_property
     def constraints(self) -> ConstraintSet:
@@ -107,7 +132,7 @@ class Project:
         with _located(self.testbed.file):
             constraints = self.constraints if governor.kind == "optimal" else None
             full = self.reduced.full
-            return governed_controller(self.design, self.testbed, full, self.prediction, constraints).block
+            return governed_controller(self.design, self.control_bed, full, self.prediction, constraints).block
 
     def blocks(self) -> tuple[Block, Block]:
         """Return controller and plant."""

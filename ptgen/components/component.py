@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Annotated, Any, ClassVar
 
@@ -148,6 +148,14 @@ class Component(Record, ABC):
     def place_names(cls) -> tuple[str, ...]:
         """Return the names of the sums of flange torques that the component offers, such as ``outputs``."""
         return ()
+
+    def gear_ratios(self) -> Mapping[str, float]:
+        """Return the ratio of input speed to output speed in each gear; empty if the component has no gears."""
+        return {}
+
+    def gear_elements(self) -> Mapping[str, tuple[str, ...]]:
+        """Return the shift elements that stick in each gear, without the component's name; empty if there are none."""
+        return {}
 
     def parameters(self, name: str) -> tuple[Parameter, ...]:
         """Return the parameters of the component called `name`, sub-tables included."""

@@ -18,7 +18,15 @@ from ptgen.governor.limit_rows import LimitRows
 from ptgen.governor.shaping import governor_signals
 from ptgen.project import Project
 
-__all__ = ["RecordedSignal", "actuation_names", "generate", "project_files", "ratio_names", "recorded_signals"]
+__all__ = [
+    "RecordedSignal",
+    "actuation_names",
+    "controller_ratio_names",
+    "generate",
+    "project_files",
+    "ratio_names",
+    "recorded_signals",
+]
 
 
 @dataclass(frozen=True)
@@ -33,7 +41,8 @@ class RecordedSignal:
 def recorded_signals(project: Project) -> tuple[RecordedSignal, ...]:
     """Return the signals of a recording.
 
-    References, actuations, ratios, what the plant puts out, commands, what a reference governor does, fault.
+    References, actuations, ratios, what the plant puts out, commands, the ratio that the law has for a component that
+    is a ratio for control, what a reference governor does, fault.
     """
     controller, plant = project.blocks()
     given = {*actuation_names(project).values(), *ratio_names(project).values()}
@@ -42,8 +51,14 @@ def recorded_signals(project: Project) -> tuple[RecordedSignal, ...]:
         RecordedSignal(s.name, s.unit, f"run->inputs.{s.name}") for s in controller.inputs if s.name in references
     ]
     signals += [RecordedSignal(s.name, s.unit, f"run->driven.{s.name}") for s in plant.inputs if s.name in given]
+    alone = set(controller_ratio_names(project).values())
+    signals += [RecordedSignal(s.name, s.unit, f"run->inputs.{s.name}") for s in controller.inputs if s.name in alone]
     signals += [RecordedSignal(s.name, s.unit, f"run->measured.{s.name}") for s in plant.outputs]
     signals += [RecordedSignal(s.name, s.unit, f"run->commands.{s.name}") for s in controller.outputs]
+    used = [f"{name}_ratio_limited" for name in project.testbed.reduction.as_ratio]
+    signals += [
+        RecordedSignal(s.name, s.unit, f"run->controller.{s.name}") for s in controller.states if s.name in used
+    ]
     signals += [RecordedSignal(s.name, s.unit, f"run->controller.{s.name}") for s in governor_signals(controller)]
     signals.append(RecordedSignal("fault", "", "run->controller.fault"))
     return tuple(signals)
@@ -59,6 +74,13 @@ def ratio_names(project: Project) -> dict[str, str]:
     """Return the plant's input for each gearbox whose ratio changes at run time, in the order of the inputs."""
     wanted = {parameter.symbol.name: name for name, parameter in project.testbed.ratios.items()}
     return {wanted[signal.name]: signal.name for signal in project.plant.inputs if signal.name in wanted}
+
+
+def controller_ratio_names(project: Project) -> dict[str, str]:
+    """Return the controller's input for each ratio that the plant does not have: of what is a ratio for control."""
+    wanted = {parameter.symbol.name: name for name, parameter in project.testbed.ratios.items()}
+    plant = set(ratio_names(project).values())
+    return {wanted[s.name]: s.name for s in project.controller.inputs if s.name in wanted and s.name not in plant}
 
 
 def project_files(project: Project, precision: Precision = "double") -> dict[str, str | bytes]:
@@ -80,8 +102,11 @@ def project_files(project: Project, precision: Precision = "double") -> dict[str
     controller, plant = project.blocks()
     references = project.design.controller.references
     actuations = list(actuation_names(project).values())
-    ratios = list(ratio_names(project).values())
     taken = {signal.name for signal in controller.inputs}
+    ratios = list(ratio_names(project).values())
+    alone = list(controller_ratio_names(project).values())
+    profiles = [(name, name in taken, True, plant.declared(name).value) for name in ratios]
+    profiles += [(name, True, False, controller.declared(name).value) for name in alone]
     names = {signal.name for signal in plant.outputs}
     common = common_context(prefix, Path(testbed.file).name, testbed.digest, precision)
     context: dict[str, object] = {
@@ -91,7 +116,7 @@ def project_files(project: Project, precision: Precision = "double") -> dict[str
         "references": list(references.values()),
         "measured": [signal.name for signal in controller.inputs if signal.name in names],
         "actuations": actuations,
-        "ratios": [(name, name in taken, literal(plant.declared(name).value, "double")) for name in ratios],
+        "ratios": [(name, taken, driven, literal(value, "double")) for name, taken, driven, value in profiles],
         "commands": [signal.name for signal in plant.inputs if signal.name not in (*actuations, *ratios)],
         "signals": recorded_signals(project),
         "friction": uses_friction(plant) is not None,

@@ -277,7 +277,7 @@ def analyse(
         structure=project.design.decoupling.structure,
         experimental=tuple(project.design.gains.super_twisting),
         locked=held,
-        free=tuple(f.name for f in project.model.frictions if f.name not in held),
+        free=tuple(f.name for f in project.control_model.frictions if f.name not in held),
         parameters=given,
         sample_time=loop.sample_time,
         poles=poles,
@@ -303,7 +303,7 @@ def chosen_frictions(
 
     Besides all problems: names that are no friction elements, and elements that are to be locked and free.
     """
-    names = [friction.name for friction in project.model.frictions]
+    names = [friction.name for friction in project.control_model.frictions]
     hint = f"known are: {', '.join(names)}" if names else "it has none"
     problems = [
         Problem(option, f'"{name}" is no friction element of this bed', hint)
@@ -355,8 +355,8 @@ def _continuous(project: Project, controller: ControllerName) -> Setting:
 def full_model(project: Project, locked: tuple[str, ...]) -> Model:
     """Return the full model of a bed with closed gaps, the named friction elements locked."""
     if not locked:
-        return project.model
-    mechanism = project.mechanism.with_closed_backlash().with_locked_frictions(set(locked))
+        return project.control_model
+    mechanism = project.control_mechanism.with_closed_backlash().with_locked_frictions(set(locked))
     return assemble(mechanism)
 
 

@@ -242,7 +242,7 @@ def tune(
         title=bed.title,
         file=bed.file,
         locked=held,
-        free=tuple(f.name for f in project.model.frictions if f.name not in held),
+        free=tuple(f.name for f in project.control_model.frictions if f.name not in held),
         sample_time=bed.sample_time,
         demands=asked.demands,
         wishes=results,

@@ -14,7 +14,6 @@ import scipy.linalg
 import sympy as sp
 from numpy.typing import NDArray
 
-from ptgen.emit.project import ratio_names
 from ptgen.errors import Problem, RunError
 from ptgen.mechanism.model import evaluate_matrix
 from ptgen.plant.layout import signal_name
@@ -74,9 +73,6 @@ def nominal_run(
     inputs, outputs = controller.inputs_type(), controller.outputs_type()
     for signal in block.inputs:
         setattr(inputs, signal.name, signal.value)
-    for name in ratio_names(project).values():
-        if block.signal(name) is not None:
-            setattr(inputs, name, project.plant.declared(name).value)
     sensors = [(k, name) for k, name in enumerate(bed.sensors) if block.signal(name) is not None]
     commands = [f"{name}_torque_ref" for name in bed.machines]
     rows = np.zeros((steps, len(bed.measured) + len(commands) + len(recorded)))

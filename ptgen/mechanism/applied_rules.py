@@ -42,8 +42,8 @@ class AppliedRule:
     Attributes
     ----------
     rule : str
-        ``close backlash``, ``lock``, ``leave out``, ``drop losses``, ``drop damping``, ``idealise drive``,
-        ``idealise sensor``, ``drop inertia``, ``rigidise``, ``condense`` or ``refer``.
+        ``as ratio``, ``close backlash``, ``lock``, ``leave out``, ``drop losses``, ``drop damping``,
+        ``idealise drive``, ``idealise sensor``, ``drop inertia``, ``rigidise``, ``condense`` or ``refer``.
     element : str
         The element it was applied to.
     why : str

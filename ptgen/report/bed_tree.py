@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 from rich.text import Text
@@ -115,13 +116,26 @@ def _values(bed: Testbed, record: Record, path: str) -> list[str]:
             shown = f"{value:.5g} rad/s" if "bandwidth" in field else readable(value, units.get(field, ""))
             lines.append(f"{field} {shown}{mark}")
         elif isinstance(value, dict):
-            entries = (f"{key} {readable(entry, units.get(field, ''))}" for key, entry in value.items())
-            lines.append(f"{field} {', '.join(entries)}{mark}")
+            lines.append(f"{field} {_entries(value, units.get(field, ''))}{mark}")
         else:
             words = value if isinstance(value, tuple) else (value,)
             shown = ", ".join("yes" if word is True else "no" if word is False else str(word) for word in words)
             lines.append(f"{field} {shown}{mark}")
     return lines
+
+
+def _entries(table: Mapping[str, object], unit: str) -> str:
+    """Return the entries of a table in a line, tables in it as ``key: entries``."""
+    parts = []
+    for key, entry in table.items():
+        if isinstance(entry, Mapping):
+            parts.append(f"{key}: {_entries(entry, unit)}")
+        elif isinstance(entry, float):
+            parts.append(f"{key} {readable(entry, unit)}")
+        else:
+            words = entry if isinstance(entry, list | tuple) else (entry,)
+            parts.append(f"{key} {' '.join(map(str, words))}")
+    return ", ".join(parts)
 
 
 def _units(record: Record) -> dict[str, str]:

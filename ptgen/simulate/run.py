@@ -8,7 +8,7 @@ from typing import Literal
 
 import numpy as np
 
-from ptgen.emit.project import actuation_names, ratio_names, recorded_signals
+from ptgen.emit.project import actuation_names, controller_ratio_names, ratio_names, recorded_signals
 from ptgen.errors import Problem, RunError
 from ptgen.project import Project
 from ptgen.simulate.build import build
@@ -78,7 +78,11 @@ def simulate(
     named = project.design.controller.references
     references = {signal: scenario.references[key] for key, signal in named.items()}
     actuations = {signal: scenario.actuations.get(name, _OPEN) for name, signal in actuation_names(project).items()}
-    ratios = {signal: _ratio(project, scenario, name) for name, signal in ratio_names(project).items()}
+    ratios = {
+        signal: _ratio(project, scenario, name)
+        for names in (ratio_names(project), controller_ratio_names(project))
+        for name, signal in names.items()
+    }
     profiles = {**references, **actuations, **ratios}
     loop = ClosedLoop(library, list(profiles.values()), controller, parameters or {})
     recording = np.zeros((rows, len(signals)))

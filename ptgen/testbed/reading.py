@@ -12,6 +12,7 @@ from ptgen.components.component import Component
 from ptgen.errors import Problem, TestbedError, nearest
 from ptgen.testbed import feedback, loops, roles, topology
 from ptgen.testbed.chains import Chains, follow, split
+from ptgen.testbed.gear_tables import check_as_ratio
 from ptgen.testbed.governor_settings import GovernorSettings, check_governor
 from ptgen.testbed.names import check_component_names, check_mangled, check_name
 from ptgen.testbed.problems import dotted, shown, validated
@@ -80,6 +81,8 @@ def load(path: str | PathLike[str]) -> Testbed:
         known = roles.Bed(types, components, chains.links if chains else None, unreadable)
         problems += _roles(tables, known)
         problems += _reduced(tables, described)
+        if isinstance(section := tables.get("reduction", {}), dict):
+            problems += check_as_ratio(section, _entry(tables, "control", "torque"), types, components)
     if problems or not (bed and control and reduction and governor and chains):
         raise TestbedError(problems, document.file)
     return Testbed(

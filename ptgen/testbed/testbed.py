@@ -11,6 +11,7 @@ from pydantic import Field, field_validator
 from ptgen.components.component import Component, Quantity, Record
 from ptgen.elements import Friction, Parameter
 from ptgen.testbed.feedback import LossMap, SpeedControl, SpeedControlName
+from ptgen.testbed.gear_tables import GearTable, gear_tables, ratio_parameter
 from ptgen.testbed.governor_settings import GovernorSettings
 
 __all__ = ["Connection", "ReductionSettings", "Roles", "Structure", "Testbed", "Tuning"]
@@ -147,6 +148,14 @@ class ReductionSettings(Record):
     """Components whose inertia is dropped in any case."""
     locked: tuple[str, ...] = ()
     """Friction elements that the controller may take for locked, such as "clutch1" or "diff.limited_slip"."""
+    as_ratio: tuple[str, ...] = ()
+    """Components, such as transmissions, in whose place control sees a ratio that changes at run time."""
+    gear_ratios: dict[str, dict[str, Annotated[float, Quantity("", "ratio of a gear", signed=True)]]] = Field(
+        default_factory=dict
+    )
+    """Gears of components of as_ratio, such as gears = { 1 = 4.7, 2 = 3.1 }, if they are not to be their own."""
+    design_gear: dict[str, str] = Field(default_factory=dict)
+    """Gear in which control is designed, such as gears = "2"; by default the first that does not reverse the sense."""
 
 
 @dataclass(frozen=True)
@@ -232,13 +241,24 @@ class Testbed:
 
     @property
     def ratios(self) -> dict[str, Parameter]:
-        """The ratios that change at run time, by the names of their gearboxes in the order of the file."""
-        return {
+        """The ratios that change at run time: of gearboxes in the order of the file, and those for control alone."""
+        changing = {
             name: parameter
             for name, component in self.components.items()
             for parameter in component.parameters(name)
             if parameter.span is not None
         }
+        for name, table in self.gear_tables.items():
+            parameter = ratio_parameter(table)
+            if parameter is not None:
+                changing.setdefault(name, parameter)
+        return changing
+
+    @property
+    def gear_tables(self) -> dict[str, GearTable]:
+        """The gears of the components that are ratios for control, by their names."""
+        settings = self.reduction
+        return gear_tables(self.components, settings.as_ratio, settings.gear_ratios, settings.design_gear)
 
     @property
     def actuated(self) -> tuple[str, ...]:
