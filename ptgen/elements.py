@@ -7,7 +7,7 @@ a torque acts: by virtual power, a torque ``T`` on a row ``r`` exerts ``r' T`` o
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from enum import Enum
 
 import sympy as sp
@@ -258,7 +258,11 @@ class Place:
 
 @dataclass(frozen=True)
 class Elements:
-    """Everything that one component contributes; velocities are named ``<component>.<flange>``."""
+    """Everything that one component contributes; velocities are named ``<component>.<flange>``.
+
+    `internal` are the velocities that are no flanges of it, and `connections` the pairs of velocities that are
+    connected rigidly inside it; the left one drives the right one.
+    """
 
     bodies: tuple[Body, ...] = ()
     constraints: tuple[Constraint, ...] = ()
@@ -267,4 +271,5 @@ class Elements:
     torques: tuple[Torque, ...] = ()
     sensors: tuple[Sensor, ...] = ()
     places: tuple[Place, ...] = ()
-    internal: tuple[str, ...] = field(default=())
+    internal: tuple[str, ...] = ()
+    connections: tuple[tuple[str, str], ...] = ()

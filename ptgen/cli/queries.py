@@ -151,12 +151,15 @@ def modal(
 
 
 @reported
-def schema(as_json: AsJson = True) -> None:
-    """Print the JSON Schema of test bed files, for editors."""
+def schema(
+    part: Annotated[bool, typer.Option("--part", help="The schema of part files instead.")] = False,
+    as_json: AsJson = True,
+) -> None:
+    """Print the JSON Schema of test bed files, or of part files, for editors."""
     from ptgen.testbed import json_schema
 
     del as_json  # it is JSON in any case; the option is there because every query has it
-    sys.stdout.write(json.dumps(json_schema(), indent=2) + "\n")
+    sys.stdout.write(json.dumps(json_schema("part" if part else "bed"), indent=2) + "\n")
 
 
 def _elements(model: Model, lock: Sequence[str], free: Sequence[str], file: str) -> tuple[list[str], list[str]]:

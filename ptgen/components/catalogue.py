@@ -1,4 +1,7 @@
-"""The one list of component types; adding a component means adding a line here."""
+"""The one list of component types; adding a component means adding a line here.
+
+A part, `ptgen.components.part`, is none of them: it is an assembly of components from a file of its own.
+"""
 
 from __future__ import annotations
 
@@ -10,10 +13,13 @@ from ptgen.components.component import Component
 from ptgen.components.differential import Differential
 from ptgen.components.epicyclic_differential import EpicyclicDifferential
 from ptgen.components.freewheel import Freewheel
+from ptgen.components.gear_pair import GearPair
 from ptgen.components.gearbox import Gearbox
 from ptgen.components.inertia import Inertia
 from ptgen.components.machine import Machine
+from ptgen.components.planetary_set import PlanetarySet
 from ptgen.components.shaft import Shaft
+from ptgen.components.synchroniser import Synchroniser
 from ptgen.components.torque_flange import TorqueFlange
 
 __all__ = ["CATALOGUE"]
@@ -31,6 +37,9 @@ _TYPES: tuple[type[Component], ...] = (
     Differential,
     BevelDifferential,
     EpicyclicDifferential,
+    PlanetarySet,
+    GearPair,
+    Synchroniser,
 )
 
 CATALOGUE: dict[str, type[Component]] = {component.type_name: component for component in _TYPES}

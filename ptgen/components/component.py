@@ -22,7 +22,7 @@ from pydantic_core import core_schema
 from ptgen import units
 from ptgen.elements import Body, Elements, Parameter
 
-__all__ = ["Component", "Flange", "Quantity", "Record", "Switch", "Text"]
+__all__ = ["Component", "Flange", "Quantity", "Record", "Switch", "Text", "parameters_of"]
 
 
 _LEAST, _MOST = 1e-12, 1e15
@@ -159,12 +159,12 @@ class Component(Record, ABC):
 
     def parameters(self, name: str) -> tuple[Parameter, ...]:
         """Return the parameters of the component called `name`, sub-tables included."""
-        return tuple(_parameters(self, name))
+        return tuple(parameters_of(self, name))
 
     def symbol(self, name: str, *path: str) -> sp.Symbol:
         """Return the symbol of the parameter at `path` of the component called `name`."""
         wanted = "_".join((name, *path))
-        for parameter in _parameters(self, name):
+        for parameter in parameters_of(self, name):
             if parameter.symbol.name == wanted:
                 return parameter.symbol
         raise KeyError(wanted)
@@ -179,11 +179,12 @@ class Component(Record, ABC):
         """Return the elements of the component called `name`."""
 
 
-def _parameters(record: Record, prefix: str) -> Iterator[Parameter]:
+def parameters_of(record: Record, prefix: str) -> Iterator[Parameter]:
+    """Yield the parameters of a record, sub-tables included; their symbols begin with `prefix`."""
     for field_name, info in type(record).model_fields.items():
         value = getattr(record, field_name)
         if isinstance(value, Record):
-            yield from _parameters(value, f"{prefix}_{field_name}")
+            yield from parameters_of(value, f"{prefix}_{field_name}")
         meta = _quantity_of(info)
         if meta is not None and value is not None:
             assumptions = (

@@ -12,8 +12,8 @@ from typing import ClassVar, Literal
 import sympy as sp
 
 from ptgen.components.component import Component, Flange
-from ptgen.components.friction import LoadDependentFriction, ripple_at, saturation_at
-from ptgen.elements import Friction, FrictionRole, Load, Place
+from ptgen.components.friction import LoadDependentFriction, load_dependent
+from ptgen.elements import Friction, FrictionRole, Place
 
 __all__ = ["DifferentialPartial"]
 
@@ -46,16 +46,5 @@ class DifferentialPartial(Component):
     ) -> tuple[Friction, ...]:
         if getattr(self, part) is None:
             return ()
-        coulomb, load, viscous = (self.symbol(name, part, key) for key in ("coulomb", "load", "viscous"))
-        return (
-            Friction(
-                f"{name}.{part}",
-                {velocity: sp.Integer(1)},
-                coulomb=coulomb,
-                viscous=viscous,
-                role=role,
-                load=Load(load, f"{name}.input"),
-                saturated=saturation_at(self, name, part, "saturation"),
-                ripple=ripple_at(self, name, part, "ripple"),
-            ),
-        )
+        row = {velocity: sp.Integer(1)}
+        return (load_dependent(self, name, part, row, role, f"{name}.input"),)

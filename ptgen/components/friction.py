@@ -8,9 +8,17 @@ from typing import Annotated, Any
 from pydantic import BeforeValidator, Field, field_validator
 
 from ptgen.components.component import Component, Quantity, Record
-from ptgen.elements import Ripple, Saturation
+from ptgen.elements import Friction, FrictionRole, Load, Ripple, Row, Saturation
 
-__all__ = ["FrictionRipple", "FrictionSaturation", "LoadDependentFriction", "ripple_at", "saturation_at"]
+__all__ = [
+    "FrictionRipple",
+    "FrictionSaturation",
+    "LoadDependentFriction",
+    "load_dependent",
+    "mesh_losses",
+    "ripple_at",
+    "saturation_at",
+]
 
 _HIGHEST_ORDER = 1000
 """Orders beyond this are slips of the pen: no sampled plant would follow them at any speed."""
@@ -68,6 +76,40 @@ class LoadDependentFriction(Record):
     viscous: Annotated[float, Quantity("N m s/rad", "viscous friction, k_omega", positive=False)] = 0.0
     saturation: FrictionSaturation | None = None
     ripple: FrictionRipple | None = None
+
+
+def load_dependent(component: Component, name: str, part: str, row: Row, role: FrictionRole, place: str) -> Friction:
+    """Return the friction element ``<name>.<part>`` with the law at `part` of the component called `name`.
+
+    Parameters
+    ----------
+    component : Component
+    name : str
+    part : str
+        The key of a `LoadDependentFriction`.
+    row : Row
+        The velocity that it acts on.
+    role : FrictionRole
+    place : str
+        The flange whose torque its capacity depends on.
+    """
+    return Friction(
+        f"{name}.{part}",
+        row,
+        coulomb=component.symbol(name, part, "coulomb"),
+        viscous=component.symbol(name, part, "viscous"),
+        role=role,
+        load=Load(component.symbol(name, part, "load"), place),
+        saturated=saturation_at(component, name, part, "saturation"),
+        ripple=ripple_at(component, name, part, "ripple"),
+    )
+
+
+def mesh_losses(component: Component, name: str, rolling: Row, place: str) -> tuple[Friction, ...]:
+    """Return the friction of teeth that roll with the velocity `rolling`, if the component has a ``loss``."""
+    if _at(component, ("loss",)) is None:
+        return ()
+    return (load_dependent(component, name, "loss", rolling, FrictionRole.LOSS, place),)
 
 
 def saturation_at(component: Component, name: str, *path: str) -> Saturation | None:

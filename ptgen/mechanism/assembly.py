@@ -25,6 +25,9 @@ from ptgen.mechanism.signals import SignalForms
 
 __all__ = ["assemble"]
 
+_FRACTION_SYMBOLS = 24
+"""Ratios and inertias up to which an entry of the inertia matrix is brought to one fraction."""
+
 
 def assemble(mechanism: Mechanism, first: First = "frictions") -> Model:
     """Derive the minimal equations of motion.
@@ -180,6 +183,20 @@ def _twists(
     return tuple(names), E, L
 
 
+def _mass(rows: sp.Matrix, inertias: Sequence[sp.Expr]) -> sp.Matrix:
+    """Return the inertia matrix, in its entries one fraction each, or one term per inertia where these are many.
+
+    A common denominator over all ratios and inertias of a gear set is nothing to read, and minutes to find.
+    """
+    names = rows.free_symbols.union(*(sp.sympify(inertia).free_symbols for inertia in inertias))
+    if len(names) <= _FRACTION_SYMBOLS:
+        return exact.canonical(rows.T * sp.diag(*inertias) * rows)
+    result = sp.zeros(rows.shape[1], rows.shape[1])
+    for index, inertia in enumerate(inertias):
+        result += inertia * exact.canonical(rows[index, :].T * rows[index, :])
+    return result
+
+
 def _model(mechanism: Mechanism, condensed: _Condensed, fixed: tuple[sp.Symbol, ...]) -> Model:
     velocities, follow = mechanism.velocities, condensed.follow
     n_z, n_u = len(condensed.names), len(mechanism.torques)
@@ -189,7 +206,6 @@ def _model(mechanism: Mechanism, condensed: _Condensed, fixed: tuple[sp.Symbol, 
         return exact.canonical(stacked * follow)
 
     body_rows = rows([{body.velocity: sp.Integer(1)} for body in mechanism.bodies])
-    inertias = sp.diag(*[body.inertia for body in mechanism.bodies])
     spring_rows = rows([spring.row for spring in mechanism.springs])
     changing = {parameter.symbol for parameter in mechanism.changing}
     twists, E, L = _twists(mechanism.springs, spring_rows, changing, condensed.is_static)
@@ -224,7 +240,7 @@ def _model(mechanism: Mechanism, condensed: _Condensed, fixed: tuple[sp.Symbol, 
         name=mechanism.name,
         coordinates=condensed.names,
         velocity_rows=velocity_rows,
-        mass=exact.canonical(body_rows.T * inertias * body_rows),
+        mass=_mass(body_rows, [body.inertia for body in mechanism.bodies]),
         twists=twists,
         twist_rows=E,
         stiffness=exact.canonical(L.T * c * L),

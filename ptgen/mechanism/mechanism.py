@@ -88,11 +88,12 @@ class Mechanism:
             parts = [_delayed(part) for part in parts]
         constraints = [constraint for part in parts for constraint in part.constraints]
         connections: dict[str, tuple[str, int]] = {}
-        for connection in testbed.connections:
-            owner = f"{connection.left} - {connection.right}"
-            constraints.append(Constraint(owner, {connection.left: sp.Integer(1), connection.right: sp.Integer(-1)}))
-            connections[connection.left] = (owner, +1)
-            connections[connection.right] = (owner, -1)
+        joined = [(connection.left, connection.right) for connection in testbed.connections]
+        for left, right in (*(pair for part in parts for pair in part.connections), *joined):
+            owner = f"{left} - {right}"
+            constraints.append(Constraint(owner, {left: sp.Integer(1), right: sp.Integer(-1)}))
+            connections[left] = (owner, +1)
+            connections[right] = (owner, -1)
         return cls(
             name=testbed.name,
             velocities=tuple(velocities),

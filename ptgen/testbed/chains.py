@@ -70,7 +70,10 @@ class Chains:
 
 
 def split(
-    texts: Sequence[str], types: Mapping[str, type[Component]], unreadable: frozenset[str] = frozenset()
+    texts: Sequence[str],
+    types: Mapping[str, type[Component]],
+    unreadable: frozenset[str] = frozenset(),
+    path: tuple[str, ...] = ("testbed", "connections"),
 ) -> tuple[list[list[Stop]], list[Problem]]:
     """Split the chains into stops and check that every stop exists.
 
@@ -82,6 +85,8 @@ def split(
         The components whose type is known.
     unreadable : frozenset of str
         Components that exist, but whose type has a problem of its own.
+    path : tuple of str
+        Where the chains stand in the file.
 
     Returns
     -------
@@ -93,7 +98,7 @@ def split(
     chains: list[list[Stop]] = []
     problems: list[Problem] = []
     for index, text in enumerate(texts):
-        where = dotted("testbed", "connections", index)
+        where = dotted(*path, index)
         words = _SEPARATOR.split(text.strip())
         if len(words) < 2:
             what = f"must name at least two components, got {shown(text)}"

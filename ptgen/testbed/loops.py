@@ -57,6 +57,10 @@ def _relations(components: Mapping[str, Component], connections: Sequence[Connec
         for constraint in component.elements(name).constraints:
             row = {velocity: sp.sympify(factor).subs(values) for velocity, factor in constraint.row.items()}
             relations.append(_Relation(name, row))
+        relations += [
+            _Relation(name, {left: sp.Integer(1), right: sp.Integer(-1)})
+            for left, right in component.elements(name).connections
+        ]
     return relations
 
 

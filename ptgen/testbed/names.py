@@ -41,12 +41,12 @@ def check_name(name: str, *path: object) -> list[Problem]:
     return []
 
 
-def check_component_names(names: Mapping[str, object]) -> list[Problem]:
-    """Return the problems of component names: no C identifiers, or alike but for upper and lower case."""
+def check_component_names(names: Mapping[str, object], *path: object) -> list[Problem]:
+    """Return the problems of names at `path`: no C identifiers, or alike but for upper and lower case."""
     problems: list[Problem] = []
     seen: dict[str, str] = {}
     for name in names:
-        where = ("components", name)
+        where = (*path, name)
         problems += check_name(name, *where)
         first = seen.setdefault(name.lower(), name)
         if first != name:
@@ -91,7 +91,7 @@ def _identifiers(name: str, component: Component) -> Iterator[str]:
         if friction.actuated:
             yield f"{plain}_actuation"
     yield from (velocity.replace(".", "_") for velocity in elements.internal)
-    if elements.springs:
+    if any(spring.name == name for spring in elements.springs):
         yield f"{name}_torque_ref"
     if component.is_machine:
         yield f"{name}_torque"

@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Mapping
 from os import PathLike
+from pathlib import Path
 from typing import Any
 
-from ptgen.components.catalogue import CATALOGUE
 from ptgen.components.component import Component
 from ptgen.errors import Problem, TestbedError, nearest
 from ptgen.testbed import feedback, loops, roles, topology
 from ptgen.testbed.chains import Chains, follow, split
+from ptgen.testbed.component_tables import read_components
 from ptgen.testbed.gear_tables import check_as_ratio
 from ptgen.testbed.governor_settings import GovernorSettings, check_governor
-from ptgen.testbed.names import check_component_names, check_mangled, check_name
+from ptgen.testbed.names import check_name
+from ptgen.testbed.parts import combined, part_kinds
 from ptgen.testbed.problems import dotted, shown, validated
 from ptgen.testbed.schema import BedSection, ControlSection
 from ptgen.testbed.testbed import ReductionSettings, Roles, Testbed, Tuning
@@ -60,8 +61,10 @@ def load(path: str | PathLike[str]) -> Testbed:
     governor, found = validated(GovernorSettings, tables.get("governor", {}), "governor")
     problems += found
     described = tables.get("components", {})
-    types, components, found = _components(described)
-    problems += found
+    digests = [document.digest]
+    tabled = read_components(described, part_kinds(Path(document.file).parent, digests))
+    types, components = tabled.types, tabled.components
+    problems += tabled.problems
     problems += check_governor(
         _entry(tables, "governor", "kind"), _entry(tables, "control", "speed_control"), components
     )
@@ -89,7 +92,7 @@ def load(path: str | PathLike[str]) -> Testbed:
         name=bed.name,
         title=bed.title or bed.name,
         file=document.file,
-        digest=document.digest,
+        digest=combined(digests),
         sample_time=bed.sample_time,
         components=components,
         connections=tuple(link.connection for link in chains.links),
@@ -124,45 +127,6 @@ def _sections(tables: Mapping[str, Any]) -> list[Problem]:
         Problem(dotted(key), "is an unknown section", nearest(key, known)) for key in tables if key not in known
     ]
     return problems + [Problem(key, "is missing", text) for key, text in _SECTIONS.items() if key not in tables]
-
-
-def _components(
-    described: object,
-) -> tuple[dict[str, type[Component]], dict[str, Component], list[Problem]]:
-    """Return the type of each component that has a known one, and the record of each without a problem."""
-    types: dict[str, type[Component]] = {}
-    components: dict[str, Component] = {}
-    if not isinstance(described, dict):
-        what = f"must hold tables, got {shown(described)}"
-        return types, components, [Problem("components", what, _SECTIONS["components"])]
-    problems = check_component_names(described)
-    for name, table in described.items():
-        where = dotted("components", name)
-        if not isinstance(table, dict):
-            remedy = f'write [{where}] with type = "machine" (or another type) and its values'
-            problems.append(Problem(where, f"must be a table, got {shown(table)}", remedy))
-            continue
-        if "type" not in table:
-            what = "is missing: what the component is"
-            problems.append(Problem(f"{where}.type", what, f"add type = ...; {nearest('', CATALOGUE)}"))
-            continue
-        kind = CATALOGUE.get(table["type"]) if isinstance(table["type"], str) else None
-        if kind is None:
-            word = table["type"] if isinstance(table["type"], str) else ""
-            what = f"is no type of component: {shown(table['type'])}"
-            problems.append(Problem(f"{where}.type", what, nearest(word, CATALOGUE)))
-            meant = difflib.get_close_matches(word, CATALOGUE, n=1)
-            if not meant:
-                continue
-            kind = CATALOGUE[meant[0]]  # so that the slip does not hide what else is wrong
-            table = {**table, "type": meant[0]}
-        types[name] = kind
-        component, found = validated(kind, table, "components", name)
-        problems += found
-        if component is not None:
-            components[name] = component
-    problems += check_mangled(components)
-    return types, components, problems
 
 
 def _connected(

@@ -47,11 +47,16 @@ def torque_places(bed: Bed) -> list[str]:
             continue
         flanges = kind.flange_names()
         component = bed.components.get(name)
-        if len(flanges) == 2 and (component is None or component.elements(name).springs):
+        if len(flanges) == 2 and (component is None or _gives_way(name, component)):
             places.append(name)
         places += [f"{name}.{place}" for place in kind.place_names()]
         places += [f"{name}.{flange}" for flange in flanges if _connected(f"{name}.{flange}", bed)]
     return places
+
+
+def _gives_way(name: str, component: Component) -> bool:
+    """Tell whether the component as a whole is a compliance, whose torque is that of the component."""
+    return any(spring.name == name for spring in component.elements(name).springs)
 
 
 def _connected(flange: str, bed: Bed) -> bool:

@@ -1,21 +1,23 @@
-"""The sections of a test bed file, and the JSON Schema that editors check it with."""
+"""The sections of bed and part files, and the JSON Schemas that editors check them with."""
 
 from __future__ import annotations
 
 import functools
 import operator
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 from pydantic import Field
 
 from ptgen.components.catalogue import CATALOGUE
 from ptgen.components.component import Quantity, Record, Text
+from ptgen.components.part import Member, Part
 from ptgen.testbed.governor_settings import GovernorSettings
 from ptgen.testbed.names import PATTERN
+from ptgen.testbed.parts import PartSection
 from ptgen.testbed.problems import quantity_field
 from ptgen.testbed.testbed import ReductionSettings, Tuning
 
-__all__ = ["BedFile", "BedSection", "ControlSection", "json_schema"]
+__all__ = ["BedFile", "BedSection", "ControlSection", "PartFile", "json_schema"]
 
 
 class BedSection(Record):
@@ -47,7 +49,7 @@ class ControlSection(Tuning):
     """Machines that control their own speed."""
 
 
-_AnyComponent: Any = functools.reduce(operator.or_, CATALOGUE.values())
+_AnyComponent: Any = functools.reduce(operator.or_, (*CATALOGUE.values(), Part))
 
 
 class BedFile(Record):
@@ -61,27 +63,46 @@ class BedFile(Record):
     governor: GovernorSettings = GovernorSettings()
 
 
-def json_schema() -> dict[str, Any]:
-    """Return the JSON Schema (draft 2020-12) of test bed files.
+class PartFile(Record):
+    """A part: a gear set or another assembly of components, for use in test beds."""
+
+    part: PartSection
+    members: dict[str, Member] = Field(default_factory=dict)
+    """A table for each rigid shaft inside the part, such as [members.input]."""
+    components: dict[str, Annotated[_AnyComponent, Field(discriminator="type")]]
+    """A table for each component, such as [components.P1]; the name is a C identifier."""
+    gears: dict[str, tuple[str, ...]] = Field(default_factory=dict)
+    """The shift table: the elements that are engaged in each gear."""
+
+
+def json_schema(kind: Literal["bed", "part"] = "bed") -> dict[str, Any]:
+    """Return the JSON Schema (draft 2020-12) of test bed files, or of part files.
 
     Examples
     --------
     >>> sorted(json_schema()["properties"])
     ['components', 'control', 'governor', 'reduction', 'testbed']
+    >>> sorted(json_schema("part")["properties"])
+    ['components', 'gears', 'members', 'part']
     """
-    schema: dict[str, Any] = BedFile.model_json_schema()
-    components = schema["properties"]["components"]
-    components["patternProperties"] = {PATTERN: components.pop("additionalProperties")}
-    components |= {"additionalProperties": False, "minProperties": 1}
+    file: type[Record] = BedFile if kind == "bed" else PartFile
+    schema: dict[str, Any] = file.model_json_schema()
+    for section in ("components", "members"):
+        if section in schema["properties"]:
+            tables = schema["properties"][section]
+            tables["patternProperties"] = {PATTERN: tables.pop("additionalProperties")}
+            tables["additionalProperties"] = False
+    schema["properties"]["components"]["minProperties"] = 1
     for section in ("reduction", "governor"):
-        schema["properties"][section].pop("default", None)
+        schema["properties"].get(section, {}).pop("default", None)
     _simplify(schema)
     return {"$schema": "https://json-schema.org/draft/2020-12/schema", **schema}
 
 
 def _simplify(schema: dict[str, Any]) -> None:
     """Write defaults of quantities with their unit, and leave out what a TOML file cannot hold."""
-    pending: list[type[Record]] = [*CATALOGUE.values(), BedSection, ControlSection, ReductionSettings, GovernorSettings]
+    sections = (BedSection, ControlSection, ReductionSettings, GovernorSettings, PartSection, Member)
+    pending: list[type[Record]] = [*CATALOGUE.values(), Part, *sections]
     seen: set[type[Record]] = set()
     while pending:
         record = pending.pop()
@@ -89,6 +110,8 @@ def _simplify(schema: dict[str, Any]) -> None:
             continue
         seen.add(record)
         pending += _subrecords(record)
+        if record.__name__ not in schema["$defs"]:
+            continue
         for name, entry in schema["$defs"][record.__name__]["properties"].items():
             entry.pop("title", None)
             for option in entry.pop("anyOf", ()):  # a value or null, which TOML does not know

@@ -24,7 +24,8 @@ def torque_of(
     level *= _swell(friction, values, angle)
     if friction.saturated is not None:
         level += values[friction.saturated.slope] * min(abs(w), values[friction.saturated.speed])
-    return mu * (math.copysign(level, w) + values[friction.viscous] * w)
+    viscous = float(sp.sympify(friction.viscous).subs(values))
+    return mu * (math.copysign(level, w) + viscous * w)
 
 
 def limit_of(

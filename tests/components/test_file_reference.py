@@ -11,7 +11,9 @@ import pytest
 from ptgen.components.catalogue import CATALOGUE
 from ptgen.components.component import Record
 from ptgen.components.friction import FrictionRipple, FrictionSaturation, LoadDependentFriction
+from ptgen.components.part import Member, Part
 from ptgen.testbed.feedback import LossMap
+from ptgen.testbed.parts import PartSection
 from ptgen.testbed.problems import validated
 from ptgen.testbed.schema import ControlSection
 from ptgen.testbed.testbed import ReductionSettings
@@ -28,10 +30,11 @@ def section(heading: str) -> str:
     return re.split(r"^#+ ", TEXT.split(f"{heading}\n", 1)[1], maxsplit=1, flags=re.MULTILINE)[0]
 
 
-@pytest.mark.parametrize("name", CATALOGUE)
+@pytest.mark.parametrize("name", [*CATALOGUE, "part"])
 def test_every_key_of_every_type_is_explained(name: str) -> None:
     text = section(f'### type = "{name}"')
-    assert not [key for key in CATALOGUE[name].model_fields if key != "type" and f"`{key}`" not in text]
+    kind = {**CATALOGUE, "part": Part}[name]
+    assert not [key for key in kind.model_fields if key != "type" and f"`{key}`" not in text]
     assert f'type = "{name}"' in text, "and there is an example"
 
 
@@ -42,6 +45,8 @@ def test_every_key_of_every_type_is_explained(name: str) -> None:
         ("### saturation, ripple", FrictionSaturation),
         ("### saturation, ripple", FrictionRipple),
         ("## [reduction]", ReductionSettings),
+        ("## Part files", PartSection),
+        ("## Part files", Member),
         ("## [control]", ControlSection),
         ("### [control.losses]", LossMap),
     ],
@@ -56,7 +61,8 @@ def test_examples_are_read() -> None:
     for text in EXAMPLES:
         for name, table in tomllib.loads(text)["components"].items():
             if "type" in table:
-                component, problems = validated(CATALOGUE[table["type"]], table, "components", name)
+                kind = {**CATALOGUE, "part": Part}[table["type"]]
+                component, problems = validated(kind, table, "components", name)
                 assert component is not None, problems
                 read.add(table["type"])
-    assert read == set(CATALOGUE)
+    assert read == {*CATALOGUE, "part"}
