@@ -116,6 +116,9 @@ class Part(Component):
             },
         )
 
+    def gear_elements(self) -> Mapping[str, tuple[str, ...]]:
+        return self.description.gears
+
     def parameters(self, name: str) -> tuple[Parameter, ...]:
         inner = [
             parameter
