@@ -52,7 +52,8 @@ def engaged(component: Component, elements: Collection[str], ratio: float | None
     """
     name = "gear"
     parts, parameters = component.elements(name), component.parameters(name)
-    values = {p.symbol: p.value if p.span is None or ratio is None else ratio for p in parameters}
+    given = {p.symbol: p.value if p.span is None or ratio is None else ratio for p in parameters}
+    values = {symbol: sp.Float(value, 17) for symbol, value in given.items()}
     one = sp.Integer(1)
     rows: list[Row] = [*(item.row for item in parts.constraints), *(item.row for item in parts.springs)]
     rows += [friction.row for friction in parts.frictions if friction.name[len(name) + 1 :] in elements]
@@ -78,5 +79,5 @@ def engaged(component: Component, elements: Collection[str], ratio: float | None
     return Engaged(float(input_ / output), float(motion @ motion))
 
 
-def _value(expression: sp.Expr, values: Mapping[sp.Symbol, float]) -> float:
-    return float(sp.sympify(expression).xreplace({symbol: sp.Float(value, 17) for symbol, value in values.items()}))
+def _value(expression: sp.Expr, values: Mapping[sp.Symbol, sp.Float]) -> float:
+    return float(sp.sympify(expression).xreplace(values))

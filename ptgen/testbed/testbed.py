@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Annotated, Literal
 
 from pydantic import Field, field_validator
@@ -234,12 +235,12 @@ class Testbed:
         """The names of the machines, in the order of the file."""
         return tuple(name for name, component in self.components.items() if component.is_machine)
 
-    @property
+    @cached_property
     def frictions(self) -> tuple[Friction, ...]:
         """The friction elements of all components, in the order of the file."""
         return tuple(f for name, component in self.components.items() for f in component.elements(name).frictions)
 
-    @property
+    @cached_property
     def ratios(self) -> dict[str, Parameter]:
         """The ratios that change at run time: of gearboxes in the order of the file, and those for control alone."""
         changing = {
@@ -254,13 +255,13 @@ class Testbed:
                 changing.setdefault(name, parameter)
         return changing
 
-    @property
+    @cached_property
     def gear_tables(self) -> dict[str, GearTable]:
         """The gears of the components that are ratios for control, by their names."""
         settings = self.reduction
         return gear_tables(self.components, settings.as_ratio, settings.gear_ratios, settings.design_gear)
 
-    @property
+    @cached_property
     def actuated(self) -> tuple[str, ...]:
         """The names of the friction elements that a scenario can actuate, in the order of the file."""
         return tuple(friction.name for friction in self.frictions if friction.actuated)
