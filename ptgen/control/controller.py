@@ -23,6 +23,7 @@ The conventional controller (Figure 5.10) is the same block with all three switc
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
@@ -74,6 +75,7 @@ def controller_block(
     full: Model,
     sample_time: float,
     shaper: Shaper | None = None,
+    gears: Mapping[str, Sequence[float]] | None = None,
 ) -> ControllerBlock:
     """Return the controller of a bed as a block.
 
@@ -88,6 +90,8 @@ def controller_block(
         Nominal step (s).
     shaper : Shaper, optional
         What the references pass before the control law.
+    gears : mapping of str to sequence of float, optional
+        Ratios of the gears of components that are ratios for control.
     """
     w = ControllerWriter(decoupling, gains, tuning, full)
     law = decoupling.law
@@ -110,7 +114,7 @@ def controller_block(
         w.parameter(symbol.name, "N m s/rad", f"active damping by {name} (5.81)", gains.damping[name])
         dampings[symbol] = follow(w, symbol.name, "N m s/rad").now
     envelopes = {machine: envelope(w, machine, measured) for machine in range(len(decoupling.machines))}
-    ratio_rates = changing_ratios(w, measured)
+    ratio_rates = changing_ratios(w, measured, gears or {})
     watch(w, names, measured, h)
     losses = loss_torques(w, measured)
     limited = speed_references(w, measured)

@@ -13,7 +13,7 @@ from ptgen.mechanism.model import Model
 from ptgen.mechanism.reduction import ReducedModel
 from ptgen.testbed.testbed import Testbed
 
-__all__ = ["ControlDesign", "design_control"]
+__all__ = ["ControlDesign", "design_control", "gear_values"]
 
 
 @dataclass(frozen=True)
@@ -43,5 +43,11 @@ def design_control(testbed: Testbed, full: Model, reduced: ReducedModel) -> Cont
     flanges = [f"{name}.{testbed.components[name].flange_names()[0]}" for name in testbed.tuning.losses]
     decoupling = decouple(reduced, testbed.roles, testbed.tuning.structure, flanges)
     tuned = gains(decoupling, full, testbed.tuning, reduced.modes_before)
-    block = controller_block(decoupling, tuned, testbed.tuning, full, testbed.sample_time)
+    gears = gear_values(testbed)
+    block = controller_block(decoupling, tuned, testbed.tuning, full, testbed.sample_time, gears=gears)
     return ControlDesign(decoupling, tuned, block)
+
+
+def gear_values(testbed: Testbed) -> dict[str, tuple[float, ...]]:
+    """Return the ratios of the gears of each component that is a ratio for control, by its name."""
+    return {name: tuple(gears.values()) for name, gears in testbed.reduction.gear_ratios.items()}

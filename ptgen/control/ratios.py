@@ -7,11 +7,12 @@ limiter lets through and never more than ``<ratio>_rate``.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import sympy as sp
 
 from ptgen.control.decoupling import Decoupling
+from ptgen.control.ratio_estimate import ratio_source
 from ptgen.control.references import limited
 from ptgen.control.writer import ControllerWriter, greatest_of, signal_symbol, smallest_of
 
@@ -34,8 +35,18 @@ def ratio_bounds(design: Decoupling) -> dict[str, float]:
     return {name: _PLAUSIBLE * max(map(abs, spans[name] or (1.0,))) for name in ratio_inputs(design)}
 
 
-def changing_ratios(w: ControllerWriter, measured: Mapping[str, sp.Symbol]) -> dict[str, sp.Expr]:
-    """Write the limits of all changing ratios, let the law use what they leave, and return their rates (1/s)."""
+def changing_ratios(
+    w: ControllerWriter, measured: Mapping[str, sp.Symbol], gears: Mapping[str, Sequence[float]]
+) -> dict[str, sp.Expr]:
+    """Write the limits of all changing ratios, let the law use what they leave, and return their rates (1/s).
+
+    Parameters
+    ----------
+    w : ControllerWriter
+    measured : mapping of str to Symbol
+    gears : mapping of str to sequence of float
+        Ratios of the gears of a component, by its name; with them its ratio can be estimated.
+    """
     rates: dict[str, sp.Expr] = {}
     names = ratio_inputs(w.design)
     for parameter in w.design.model.changing:
@@ -47,10 +58,15 @@ def changing_ratios(w: ControllerWriter, measured: Mapping[str, sp.Symbol]) -> d
         inside = w.assign(
             f"{name}_inside", greatest_of(least, smallest_of(most, measured[name])), "range and rate of the ratio"
         )
-        now = limited(w, name, "", inside, inside, float(f"{(span[1] - span[0]) / SHIFT_TIME:.6g}"), here=True)
+        source = None
+        if (ratios := gears.get(name.removesuffix("_ratio"))) is not None:
+            source = ratio_source(w, parameter.symbol, inside, ratios, measured)
+        chosen = inside if source is None else source.ratio
+        now = limited(w, name, "", chosen, chosen, float(f"{(span[1] - span[0]) / SHIFT_TIME:.6g}"), here=True)
         if any(entry != 0 for entry in w.design.law.ratio_rates.get(name, ())):
             per_step = w.derive("steps_per_second", "1/s", "one over the step", 1 / signal_symbol("sample_time"))
-            rates[name] = w.assign(f"{name}_change", (now - signal_symbol(f"{name}_before")) * per_step)
+            change = (now - signal_symbol(f"{name}_before")) * per_step
+            rates[name] = w.assign(f"{name}_change", change if source is None else source.known * change)
         w.run_time[name] = now
     return rates
 

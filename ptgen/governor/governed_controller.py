@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ptgen.control.controller import ControllerBlock, controller_block
-from ptgen.control.design import ControlDesign
+from ptgen.control.design import ControlDesign, gear_values
 from ptgen.errors import ControlError, Problem
 from ptgen.governor.constraint_set import ConstraintSet, torque_limits
 from ptgen.governor.prediction import Prediction
@@ -53,7 +53,9 @@ def governed_controller(
         raise ControlError(Problem("governor.kind", what, 'choose "sequential_modified", which needs no model'))
     _check_reserve(design, testbed, full)
     governor = ReferenceGovernor(testbed.governor, prediction, constraints)
-    return controller_block(design.decoupling, design.gains, tuning, full, testbed.sample_time, governor)
+    return controller_block(
+        design.decoupling, design.gains, tuning, full, testbed.sample_time, governor, gear_values(testbed)
+    )
 
 
 def _check_reserve(design: ControlDesign, testbed: Testbed, full: Model) -> None:

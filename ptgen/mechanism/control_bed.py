@@ -52,7 +52,12 @@ def control_bed(testbed: Testbed) -> Testbed:
     kept = testbed.reduction.keep
     drop = dict.fromkeys([*testbed.reduction.drop, *(name for name in tables if name not in kept)])
     reduction = testbed.reduction.model_copy(
-        update={"drop": tuple(drop), "as_ratio": (), "gear_ratios": {}, "design_gear": {}}
+        update={
+            "drop": tuple(drop),
+            "as_ratio": (),
+            "gear_ratios": {name: dict(table.gears) for name, table in tables.items()},
+            "design_gear": {},
+        }
     )
     return replace(testbed, components=components, reduction=reduction)
 
