@@ -347,6 +347,54 @@ for side, gearbox_bed in gearbox_beds.items():
     )
 
 # %% [markdown]
+# ## Simplified gearboxes, (3.51) to (3.54)
+# A clutch with the velocities of both sides, a gear stage without inertia behind it: by virtual power the clutch torque
+# acts on the output with the ratio of the row that gives its slip. The ratios change at run time, so the coordinates are
+# the velocities of both sides.
+
+# %%
+T_c, T_c1, T_c2, w_gbi, w_gbo = sp.symbols("T_c T_c1 T_c2 omega_gbi omega_gbo", real=True)
+i_gb1, i_gb2, I_gbi, I_gbo = sp.symbols("i_gb1 i_gb2 I_gbi I_gbo", positive=True)
+inertias = {"inertia_input": "1 kg m^2", "inertia_output": "2 kg m^2", "ratio_range": [2, 6]}
+one_clutch, two_clutches = (
+    bed(
+        ["M1 - gb - M2"],
+        machine("M1"),
+        machine("M2"),
+        table("gb", kind, **inertias, **more),
+        torque={},
+        speed=["M1", "M2"],
+    )
+    for kind, more in (
+        ("single_clutch_gearbox", {"ratio": 5, "clutch": {"capacity": "1 N m"}}),
+        (
+            "double_clutch_gearbox",
+            {"ratio1": 5, "ratio2": 3, "clutch1": {"capacity": "1 N m"}, "clutch2": {"capacity": "1 N m"}},
+        ),
+    )
+)
+clutch_names = {"M1_inertia": 0, "M2_inertia": 0, "gb_inertia_input": I_gbi, "gb_inertia_output": I_gbo}
+clutch_names |= {"gb_ratio": i_gb, "gb_ratio1": i_gb1, "gb_ratio2": i_gb2}
+assert one_clutch.model.coordinates == two_clutches.model.coordinates == ("M1.shaft", "M2.shaft")
+speeds = sp.Matrix([w_gbi, w_gbo])
+check(
+    "3.51",
+    [(T_gbi - T_c) / I_gbi, (i_gb * T_c - T_gbo) / I_gbo],
+    rates(one_clutch.model, clutch_names, [T_gbi, -T_gbo], [T_c], [0, 0]),
+)
+check("3.52", [w_gbi - i_gb * w_gbo], rename(one_clutch.model.friction_rows, clutch_names) * speeds)
+check(
+    "3.53",
+    [(T_gbi - T_c1 - T_c2) / I_gbi, (i_gb1 * T_c1 + i_gb2 * T_c2 - T_gbo) / I_gbo],
+    rates(two_clutches.model, clutch_names, [T_gbi, -T_gbo], [T_c1, T_c2], [0, 0]),
+)
+check(
+    "3.54",
+    [w_gbi - i_gb1 * w_gbo, w_gbi - i_gb2 * w_gbo],
+    rename(two_clutches.model.friction_rows, clutch_names) * speeds,
+)
+
+# %% [markdown]
 # Bevel differential: the coordinates are those of the friction elements, omega_di and omega_3b.
 
 # %%

@@ -55,6 +55,8 @@ class Parameter:
     span : tuple of two floats, or None
         Least and largest value, if it changes while the bed runs: then it is an input of that name, and `value` holds
         at the start. None if it is constant.
+    owner : str
+        The component that it belongs to; empty for a parameter of the whole bed.
     """
 
     symbol: sp.Symbol
@@ -64,6 +66,12 @@ class Parameter:
     positive: bool = False
     signed: bool = False
     span: tuple[float, float] | None = None
+    owner: str = ""
+
+    @property
+    def key(self) -> str:
+        """What is left of its name without that of its owner: its key in the file, with ``_`` between tables."""
+        return str(self.symbol.name).removeprefix(f"{self.owner}_")
 
 
 @dataclass(frozen=True)

@@ -1,10 +1,12 @@
 """Blocks: the only thing that is emitted, and the one description that all evaluators share.
 
-A block is a list of assignments of scalar expressions and of calls of named kernels. It has three sections:
+A block is a list of assignments of scalar expressions and of calls of named kernels. It has these sections:
 
 ``prepare``
     what follows from the parameters alone; run at initialisation and whenever parameters change, and at the start of a
     step if an input has changed that it depends on, see `Tracked`,
+``refresh``
+    the rest of ``prepare``, run after it: what a step has to compute anew if only quick tracked inputs have changed,
 ``step``
     from inputs and states to new states and outputs,
 ``measure``
@@ -42,7 +44,7 @@ __all__ = [
     "parse_element",
 ]
 
-Section = Literal["prepare", "step", "measure"]
+Section = Literal["prepare", "refresh", "step", "measure"]
 
 
 @dataclass(frozen=True)
@@ -205,10 +207,17 @@ class Tracked:
     """A quantity that `prepare` depends on though it changes at run time: the state `state` follows the input `input`.
 
     A step first takes the input over into the state, and runs `prepare` again if that has changed it.
+
+    Attributes
+    ----------
+    state, input : str
+    quick : bool
+        Whether only `refresh` depends on it, so that nothing else is run again.
     """
 
     state: str
     input: str
+    quick: bool = False
 
 
 @dataclass(frozen=True)
@@ -220,10 +229,10 @@ class Block:
     name, description : str
     parameters, inputs, outputs, states : tuple of Signal
     derived : tuple of Signal
-        What `prepare` computes.
+        What `prepare` and `refresh` compute.
     arrays : tuple of Signal
         Local arrays; local scalars need no declaration.
-    prepare, step, measure : tuple of Statement
+    prepare, refresh, step, measure : tuple of Statement
     faults : tuple of Fault
         What the state ``fault`` may tell; empty for blocks without supervision.
     alarms : tuple of Alarm
@@ -249,6 +258,7 @@ class Block:
     alarms: tuple[Alarm, ...] = ()
     tracked: tuple[Tracked, ...] = ()
     tables: tuple[Table, ...] = ()
+    refresh: tuple[Statement, ...] = ()
     _index: dict[str, Signal] = field(default_factory=dict, init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
@@ -257,7 +267,7 @@ class Block:
                 raise ValueError(f"block {self.name}: the signal {signal.name} is declared twice")
             self._index[signal.name] = signal
         used: set[str] = set()
-        for section in ("prepare", "step", "measure"):
+        for section in ("prepare", "refresh", "step", "measure"):
             used |= self._check_section(section)
         names = [table.name for table in self.tables]
         if twice := {name for name in names if names.count(name) > 1} | (set(names) & set(self._index)):
@@ -299,7 +309,8 @@ class Block:
 
     def statements(self, section: str) -> tuple[Statement, ...]:
         """Return the statements of `section`."""
-        return {"prepare": self.prepare, "step": self.step, "measure": self.measure}[section]
+        sections = {"prepare": self.prepare, "refresh": self.refresh, "step": self.step, "measure": self.measure}
+        return sections[section]
 
     def locals(self, section: str) -> tuple[str, ...]:
         """Return the local scalars of `section` in the order in which they are assigned."""

@@ -84,14 +84,21 @@ class CasadiBlock:
         arrays = {s.name: ca.MX.zeros(*_matrix_shape(s)) for s in self.block.arrays}
         table |= {s.name: ca.MX.zeros(*_matrix_shape(s)) for s in self.block.derived} | arrays
         self._run("prepare", table)
+        self._run("refresh", table)
         table |= arrays
+
+    def _follow(self, table: dict[str, Any]) -> None:
+        """Compute in a table what depends on the tracked quantities in it."""
+        if any(not item.quick for item in self.block.tracked):
+            self._prepare_again(table)
+        elif self.block.tracked:
+            self._run("refresh", table)
 
     def _step(self) -> Any:
         symbols = self._symbols("parameters", "derived", "states", "inputs")
         table = self._table(symbols)
-        if self.block.tracked:
-            table |= {item.state: table[item.input] for item in self.block.tracked}
-            self._prepare_again(table)
+        table |= {item.state: table[item.input] for item in self.block.tracked}
+        self._follow(table)
         self._run("step", table)
         self._run("measure", table)
         return ca.Function(
@@ -105,8 +112,7 @@ class CasadiBlock:
     def _measure(self) -> Any:
         symbols = self._symbols("parameters", "derived", "states")
         table = self._table(symbols)
-        if self.block.tracked:
-            self._prepare_again(table)
+        self._follow(table)
         self._run("measure", table)
         outputs = _stack(table, self.block.outputs, self._kind)
         return ca.Function(f"{self.block.name}_measure", list(symbols.values()), [outputs], list(symbols), ["outputs"])
@@ -141,9 +147,9 @@ class CasadiBlock:
 def _kind(block: Block) -> Any:
     """Return the type of the step's expressions: scalars, unless a kernel is a function that is called.
 
-    The preparation is too large for scalars; it is a part of the step if a quantity is tracked.
+    The preparation is too large for scalars; it is a part of the step if a quantity is tracked that is not quick.
     """
-    if block.tracked:
+    if any(not item.quick for item in block.tracked):
         return ca.MX
     for statement in block.step:
         if isinstance(statement, Call) and statement.kernel == "optimal_governor":

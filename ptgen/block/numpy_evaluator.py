@@ -60,6 +60,7 @@ class NumpyBlock:
         table |= tracked
         table |= {signal.name: np.zeros(batch + signal.shape) for signal in self.block.derived + self.block.arrays}
         self._run("prepare", table)
+        self._run("refresh", table)
         return {signal.name: table[signal.name] for signal in self.block.derived}
 
     def initial(self) -> Values:
@@ -74,8 +75,7 @@ class NumpyBlock:
         table: Values = {**self._tables, **parameters, **derived, **inputs}
         table |= {name: np.broadcast_to(value, batch + self._shape(name)).copy() for name, value in states.items()}
         table |= {item.state: np.asarray(inputs[item.input], dtype=float) for item in self.block.tracked}
-        if self.block.tracked:
-            table |= self.prepare(parameters, table)
+        self._follow(parameters, table)
         table |= {signal.name: np.zeros(batch + signal.shape) for signal in self.block.arrays + self.block.outputs}
         self._run("step", table)
         self._run("measure", table)
@@ -87,11 +87,23 @@ class NumpyBlock:
         """Return the outputs that follow from the states."""
         batch = self._batch(states)
         table: Values = {**self._tables, **parameters, **derived, **states}
-        if self.block.tracked:
-            table |= self.prepare(parameters, states)
+        self._follow(parameters, table)
         table |= {signal.name: np.zeros(batch + signal.shape) for signal in self.block.arrays + self.block.outputs}
         self._run("measure", table)
         return self._pick(table)[1]
+
+    def _follow(self, parameters: Mapping[str, Array], table: Values) -> None:
+        """Compute in a table what depends on the tracked quantities in it."""
+        tracked = self.block.tracked
+        if any(not item.quick for item in tracked):
+            table |= self.prepare(parameters, table)
+        elif tracked:
+            batch = np.broadcast_shapes(*(np.shape(table[item.state]) for item in tracked))
+            for signal in self.block.derived:  # of the caller, and perhaps with fewer batch axes
+                held = table[signal.name]
+                shape = np.broadcast_shapes(batch + (1,) * len(signal.shape), held.shape)
+                table[signal.name] = np.broadcast_to(held, shape).copy()
+            self._run("refresh", table)
 
     def _pick(self, table: Values) -> tuple[Values, Values]:
         states = {signal.name: table[signal.name] for signal in self.block.states}

@@ -11,6 +11,7 @@ from ptgen.components.brake import Brake
 from ptgen.components.clutch import Clutch
 from ptgen.components.component import Component
 from ptgen.components.differential import Differential
+from ptgen.components.double_clutch_gearbox import DoubleClutchGearbox
 from ptgen.components.epicyclic_differential import EpicyclicDifferential
 from ptgen.components.freewheel import Freewheel
 from ptgen.components.gear_pair import GearPair
@@ -19,6 +20,7 @@ from ptgen.components.inertia import Inertia
 from ptgen.components.machine import Machine
 from ptgen.components.planetary_set import PlanetarySet
 from ptgen.components.shaft import Shaft
+from ptgen.components.single_clutch_gearbox import SingleClutchGearbox
 from ptgen.components.synchroniser import Synchroniser
 from ptgen.components.torque_flange import TorqueFlange
 
@@ -30,6 +32,8 @@ _TYPES: tuple[type[Component], ...] = (
     Shaft,
     TorqueFlange,
     Gearbox,
+    SingleClutchGearbox,
+    DoubleClutchGearbox,
     Clutch,
     Freewheel,
     Brake,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Annotated, Any, ClassVar
 
 import sympy as sp
@@ -157,9 +157,17 @@ class Component(Record, ABC):
         """Return the shift elements that stick in each gear, without the component's name; empty if there are none."""
         return {}
 
+    def spans(self) -> Mapping[str, tuple[float, float]]:
+        """Return the least and the largest value of the keys that change while the bed runs, such as ``ratio``."""
+        return {}
+
     def parameters(self, name: str) -> tuple[Parameter, ...]:
         """Return the parameters of the component called `name`, sub-tables included."""
-        return tuple(parameters_of(self, name))
+        spans = {f"{name}_{key}": span for key, span in self.spans().items()}
+        return tuple(
+            replace(parameter, span=spans.get(parameter.symbol.name), owner=name)
+            for parameter in parameters_of(self, name)
+        )
 
     def symbol(self, name: str, *path: str) -> sp.Symbol:
         """Return the symbol of the parameter at `path` of the component called `name`."""

@@ -34,14 +34,14 @@ Reference
 
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Mapping
 from typing import Annotated, ClassVar, Literal
 
 import sympy as sp
 from pydantic import model_validator
 
 from ptgen.components.component import Component, Flange, Quantity
-from ptgen.elements import Body, Constraint, Elements, Parameter, Spring
+from ptgen.elements import Body, Constraint, Elements, Spring
 
 __all__ = ["Gearbox"]
 
@@ -109,13 +109,9 @@ class Gearbox(Component):
             )
         return self
 
-    def parameters(self, name: str) -> tuple[Parameter, ...]:
-        """Return the parameters of the component called `name`; the ratio carries the range in which it changes."""
-        ratio = f"{name}_ratio"
-        return tuple(
-            replace(parameter, span=self.ratio_range) if parameter.symbol.name == ratio else parameter
-            for parameter in super().parameters(name)
-        )
+    def spans(self) -> Mapping[str, tuple[float, float]]:
+        """Return the range of the ratio, if it changes."""
+        return {} if self.ratio_range is None else {"ratio": self.ratio_range}
 
     def elements(self, name: str) -> Elements:
         input_, output = f"{name}.input", f"{name}.output"

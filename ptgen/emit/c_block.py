@@ -108,6 +108,9 @@ class CBlock:
         self.faults = block.faults
         self.alarms = block.alarms
         self.tracked = block.tracked
+        self.slow = [item for item in block.tracked if not item.quick]
+        self.quick = [item for item in block.tracked if item.quick]
+        self.has_refresh = bool(block.refresh)
         self.tables = [self._table(table) for table in block.tables]
         self.has_measure = bool(block.measure)
 

@@ -67,7 +67,7 @@ def uses_governor(block: Block, precision: Precision) -> dict[str, object] | Non
         If calls of a governor differ in size or order: the code is made for one of each. Or if one puts its results
         where its inputs are: it reads them to the end.
     """
-    statements = [*block.prepare, *block.step, *block.measure]
+    statements = [*block.prepare, *block.refresh, *block.step, *block.measure]
     calls = [statement for statement in statements if isinstance(statement, Call)]
     for call in calls:
         if call.kernel in GOVERNORS and (shared := {*call.outputs} & {*call.inputs}):

@@ -133,7 +133,6 @@ def _check_changing(mechanism: Mechanism, condensed: _Condensed, first: First) -
             if any(parameter.symbol in sp.sympify(entry).free_symbols for entry in follow[body.velocity])
         ]
         if bodies:
-            name = parameter.symbol.name.removesuffix("_ratio")
             others = [
                 coordinate
                 for column, coordinate in enumerate(condensed.names)
@@ -146,7 +145,7 @@ def _check_changing(mechanism: Mechanism, condensed: _Condensed, first: First) -
             remedy = "put a shaft on one side of the gearbox, with no inertia between the two, or remove ratio_range"
             if first == "machines":
                 remedy = "name the shaft beside the gearbox in reduction.keep, or the inertia in reduction.drop"
-            problems.append(Problem(f"components.{name}.ratio_range", what, remedy))
+            problems.append(Problem(f"components.{parameter.owner}.ratio_range", what, remedy))
     if problems:
         raise ModelError(problems)
 

@@ -65,7 +65,7 @@ def _changing_loop(mechanism: Mechanism) -> ModelError:
     return ModelError(
         [
             Problem(
-                f"components.{parameter.symbol.name.removesuffix('_ratio')}.ratio_range",
+                f"components.{parameter.owner}.ratio_range",
                 "stands in a rigid loop, which only turns as long as its ratios agree",
                 "put a shaft into the loop, or remove ratio_range",
             )

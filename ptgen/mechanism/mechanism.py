@@ -138,11 +138,19 @@ class Mechanism:
             constraints=self.constraints + tuple(Constraint(spring.name, spring.row) for spring in rigid),
         )
 
-    def with_locked_frictions(self, names: set[str]) -> Mechanism:
-        """Return the mechanism in which the named friction elements are locked for good."""
+    def with_locked_frictions(self, names: set[str], *, holding_ratios: bool = False) -> Mechanism:
+        """Return the mechanism in which the named friction elements are locked for good.
+
+        With `holding_ratios` the ratios in their rows stay what they are now: locked as it is, and not while it shifts.
+        """
         locked = [friction for friction in self.frictions if friction.name in names]
+        held: set[sp.Basic] = set()
+        if holding_ratios:
+            entries = [sp.sympify(entry) for friction in locked for entry in friction.row.values()]
+            held = held.union(*(entry.free_symbols for entry in entries))
         return replace(
             self,
+            parameters=tuple(replace(p, span=None) if p.symbol in held else p for p in self.parameters),
             frictions=tuple(friction for friction in self.frictions if friction.name not in names),
             constraints=self.constraints + tuple(Constraint(friction.name, friction.row) for friction in locked),
         )

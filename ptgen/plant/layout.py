@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from ptgen.elements import Friction
 from ptgen.mechanism.model import Model
+from ptgen.plant.ratios import quick_ratios
 
 __all__ = ["Layout", "identifier", "signal_name"]
 
@@ -31,10 +32,16 @@ class Layout:
     n_f: int
     n_c: int
     filtered: tuple[str, ...] = ()
+    turning: tuple[int, ...] = ()
+    """Friction elements whose rows change with quick ratios."""
+    pressed: tuple[int, ...] = ()
+    """Coordinates on which their torques act."""
 
     @classmethod
     def of(cls, model: Model) -> Layout:
         """Return the layout of a model; machines with a lag and sensors with a filter have a state of their own."""
+        quick = quick_ratios(model)
+        turning = [i for i in range(len(model.frictions)) if model.friction_rows[i, :].free_symbols & quick]
         return cls(
             n_z=len(model.coordinates),
             n_e=len(model.twists),
@@ -43,6 +50,10 @@ class Layout:
             n_f=len(model.frictions),
             n_c=len(model.contacts),
             filtered=tuple(sensor.name for sensor in model.sensors if sensor.time_constant is not None),
+            turning=tuple(turning),
+            pressed=tuple(
+                k for k in range(len(model.coordinates)) if any(model.friction_rows[i, k] != 0 for i in turning)
+            ),
         )
 
     @property
@@ -54,6 +65,16 @@ class Layout:
     def n_t(self) -> int:
         """Number of torques that a step solves for: those of friction elements, then those of contacts."""
         return self.n_f + self.n_c
+
+    @property
+    def solved(self) -> tuple[int, ...]:
+        """The torques that have a column in the solution of the linear part; the others follow from `pressed`."""
+        return tuple(j for j in range(self.n_t) if j not in self.turning)
+
+    @property
+    def n_s(self) -> int:
+        """Number of torque columns in the solution: those that are solved, then those on the coordinates `pressed`."""
+        return len(self.solved) + len(self.pressed)
 
     def air_gap(self, machine: int) -> int:
         """Return where the air-gap torque of a machine stands in ``x``."""

@@ -9,7 +9,8 @@ follow from :math:`K = -G\,\Gamma_f` by `ptgen.friction.step`, those of shafts w
 
 A gear ratio that changes at run time is an input, taken over the whole step, best the value at its middle, which keeps
 order 2. With the ratio the shafts' rows :math:`E(i)` change, and all matrices are computed anew, in the steps in which
-it does change. Bodies' rows do not depend on such a ratio, so the momenta :math:`M z` stay what they are.
+it does change; where it stands in rows of friction elements only, the linear part stays, and a few products do. Bodies'
+rows do not depend on such a ratio, so the momenta :math:`M z` stay what they are.
 """
 
 from __future__ import annotations
@@ -30,7 +31,7 @@ from ptgen.plant.capacities import Capacities
 from ptgen.plant.layout import Layout, identifier
 from ptgen.plant.limits import DELAY_CAPACITY, check_delays, too_fast
 from ptgen.plant.preparation import Preparation
-from ptgen.plant.ratios import NOW, corners, with_ratios_of_now
+from ptgen.plant.ratios import NOW, corners, quick_ratios, with_ratios_of_now
 from ptgen.plant.signals import PlantSignals
 
 __all__ = ["STANDSTILL", "plant_block"]
@@ -81,15 +82,18 @@ class _Plant:
     def block(self) -> Block:
         layout = self.layout
         n, n_u, n_t, width = layout.n, layout.n_u, layout.n_t, layout.n + 2 * layout.n_u
-        prepare, step, measure = (
+        preparation = Preparation(self.model, self.layout, self.signals, self.sample_time)
+        prepare, refresh, step, measure = (
             with_ratios_of_now(self.model, statements)
             for statements in (
-                Preparation(self.model, self.layout, self.signals, self.sample_time).statements(),
+                preparation.statements(),
+                preparation.refresh(),
                 self._step(),
                 self.signals.measure(),
             )
         )
-        used = {symbol.name for statement in (*prepare, *step, *measure) for symbol in _symbols(statement)}
+        quick = quick_ratios(self.model)
+        used = {symbol.name for statement in (*prepare, *refresh, *step, *measure) for symbol in _symbols(statement)}
         parameters = [
             _parameter_signal(parameter) for parameter in self.model.parameters if parameter.symbol.name in used
         ]
@@ -98,8 +102,8 @@ class _Plant:
             text = "friction velocities below this are none"
             parameters.append(Signal("standstill_speed", "rad/s", text, value=STANDSTILL, least=0.0))
         sample = Signal("sample_time", "s", "step of the plant", value=self.sample_time, least=0.0, least_allowed=False)
-        force_columns = layout.n_z + layout.n_e + n_u + n_t
-        columns = n + n_u + n_t
+        force_columns = layout.n_z + layout.n_e + n_u + layout.n_s
+        columns = n + n_u + layout.n_s
         derived = [
             Signal("transition", "", "x at the end of the step without friction torques", (n, width)),
             *(Signal(f"{m}_dead_steps", "", "whole steps of dead time") for m in self._names()),
@@ -116,10 +120,12 @@ class _Plant:
             Signal("rates", "", f"accelerations per {kinds}", (layout.n_z, force_columns)),
             Signal("x_free", "", "states at the end of the step without friction torques", (n,)),
         ]
-        derived += [
-            Signal(f"{name}_reaction", "", f"{name} per {kinds}", (force_columns,))
-            for name in self.signals.accelerated()
-        ]
+        for name in self.signals.accelerated():
+            per_variable = (layout.n_z + layout.n_e + n_u + n_t,)
+            derived.append(Signal(f"{name}_reaction", "", f"{name} per {kinds}", per_variable))
+            if layout.turning:
+                text = f"{name} per friction torque on a coordinate"
+                derived.append(Signal(f"{name}_pressed", "", text, (len(layout.pressed),)))
         measured = ", measured values" if layout.filtered else ""
         states = [
             Signal(
@@ -157,10 +163,13 @@ class _Plant:
             derived=tuple(derived),
             arrays=tuple(arrays),
             prepare=prepare,
+            refresh=refresh,
             step=step,
             measure=measure,
             alarms=self._alarms(),
-            tracked=tuple(Tracked(f"{p.symbol.name}{NOW}", p.symbol.name) for p in self.model.changing),
+            tracked=tuple(
+                Tracked(f"{p.symbol.name}{NOW}", p.symbol.name, quick=p.symbol in quick) for p in self.model.changing
+            ),
         )
 
     def _declare_frictions(self, states: list[Signal], derived: list[Signal], arrays: list[Signal]) -> None:
@@ -172,6 +181,12 @@ class _Plant:
         if any(not self.signals.is_state(i) for i in range(self.layout.n_f)):
             derived.append(Signal("velocity_rounding", "", "share of a sum of velocities that is rounding"))
         derived.append(Signal("K", "rad/(N m s)", "friction velocities lost per mean friction torque", n_f * 2))
+        if self.layout.turning:
+            text = "x at the end of the step per friction torque on a coordinate"
+            derived.append(Signal("gamma_pressed", "", text, (self.layout.n, len(self.layout.pressed))))
+            base = self.layout.n_f - len(self.layout.turning) + len(self.layout.pressed)
+            text = "the same for the elements that others are put together from"
+            derived.append(Signal("K_base", "rad/(N m s)", text, (base, base)))
         arrays += [
             Signal("w_start", "rad/s", "friction velocities at the start of the step", n_f),
             Signal("w_free", "rad/s", "friction velocities at the end of the step without friction torques", n_f),

@@ -61,7 +61,7 @@ def ratio_parameter(table: GearTable) -> Parameter | None:
         return None
     symbol = sp.Symbol(f"{table.component}_ratio", real=True)
     text = "ratio of input speed to output speed"
-    return Parameter(symbol, table.ratio, "", text, positive=True, signed=True, span=table.span)
+    return Parameter(symbol, table.ratio, "", text, positive=True, signed=True, span=table.span, owner=table.component)
 
 
 def known_ratios(component: Component) -> dict[str, float]:

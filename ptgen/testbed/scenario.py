@@ -51,8 +51,9 @@ class Scenario:
         Name of an actuated friction element -> its actuation, 0 (open) to 1 (full capacity); a scenario that was read
         has one for each of them, and one that is not there stays open.
     ratios : mapping of str to Profile
-        Name of a gearbox whose ratio changes at run time -> its ratio; a scenario that was read has one for each of
-        them, and one that is not there keeps the ratio of the bed file.
+        Name of a gearbox whose ratio changes at run time -> its ratio, with the key if it has several, such as
+        ``"gearbox1.ratio2"``; a scenario that was read has one for each of them, and one that is not there keeps the
+        ratio of the bed file.
     title, description : str
         What it shows.
     """
@@ -273,26 +274,36 @@ def _ratios(table: object, testbed: Testbed, folder: Path) -> tuple[dict[str, Pr
         remedy = f"write [ratios] with gearbox = {_RATIO}"
         return ratios, [Problem("ratios", f"must be a table, got {shown(table)}", remedy)]
     problems: list[Problem] = []
-    for name, entry in table.items():
+    seen: dict[str, str] = {}
+    for path, entry in _entries(table, set(changing)):
+        name, where = ".".join(path), dotted("ratios", *path)
         parameter = changing.get(name)
         if parameter is None or parameter.span is None:
-            problems.append(_no_ratio(name, testbed))
+            problems.append(_no_ratio(name, where, testbed))
+            continue
+        first = seen.setdefault(name, where)
+        if first != where:
+            problems.append(Problem(where, f'"{name}" has an entry already, {first}', "remove one of the two"))
             continue
         least, most = parameter.span
-        remedy = f"stay within ratio_range of [{dotted('components', name)}] in the bed, or widen it"
-        profile, found = read_profile(entry, "", folder, "ratios", name, bounds=Bounds(least, most, remedy))
+        remedy = f"stay within ratio_range of [{dotted('components', parameter.owner)}] in the bed, or widen it"
+        profile, found = read_profile(entry, "", folder, "ratios", *path, bounds=Bounds(least, most, remedy))
         problems += found
         if profile is not None:
             ratios[name] = profile
     return ratios, problems
 
 
-def _no_ratio(name: str, testbed: Testbed) -> Problem:
-    where, changing = dotted("ratios", name), testbed.ratios
-    if "ratio_range" in getattr(type(testbed.components.get(name)), "model_fields", {}):
-        what = f'the ratio of "{name}" of the bed "{testbed.name}" is constant'
-        remedy = f"write ratio_range in [{dotted('components', name)}] of the bed, or leave it out"
+def _no_ratio(name: str, where: str, testbed: Testbed) -> Problem:
+    component, changing = name.partition(".")[0], testbed.ratios
+    own = [key for key in changing if key.partition(".")[0] == component]
+    if not own and "ratio_range" in getattr(type(testbed.components.get(component)), "model_fields", {}):
+        what = f'the ratio of "{component}" of the bed "{testbed.name}" is constant'
+        remedy = f"write ratio_range in [{dotted('components', component)}] of the bed, or leave it out"
         return Problem(where, what, remedy)
+    if own:
+        what = f'{shown(name)} is none of the ratios of "{component}"'
+        return Problem(where, what, nearest(name, own))
     what = f'{shown(name)} is no gearbox of the bed "{testbed.name}" with a ratio that changes'
     remedy = nearest(name, changing) if changing else "leave it out: no ratio of the bed changes"
     return Problem(where, what, remedy)

@@ -242,13 +242,12 @@ class Testbed:
 
     @cached_property
     def ratios(self) -> dict[str, Parameter]:
-        """The ratios that change at run time: of gearboxes in the order of the file, and those for control alone."""
-        changing = {
-            name: parameter
-            for name, component in self.components.items()
-            for parameter in component.parameters(name)
-            if parameter.span is not None
-        }
+        """The ratios that change at run time: of gearboxes in the order of the file, and those for control alone.
+
+        The key is the name of the gearbox, ``gearbox1``, for its ``ratio``; others have a dot, ``gearbox1.ratio2``.
+        """
+        parameters = [p for name, component in self.components.items() for p in component.parameters(name)]
+        changing = {p.owner if p.key == "ratio" else f"{p.owner}.{p.key}": p for p in parameters if p.span is not None}
         for name, table in self.gear_tables.items():
             parameter = ratio_parameter(table)
             if parameter is not None:

@@ -46,6 +46,20 @@ EXAMPLES: dict[str, dict[str, object]] = {
         "sensor": {"time_constant": "50 us"},
     },
     "gearbox": {"ratio": 8.1, "inertia": "1.05 kg m^2"},
+    "single_clutch_gearbox": {
+        "inertia_input": "0.13 kg m^2",
+        "inertia_output": "0.4 kg m^2",
+        "ratio": 3.333,
+        "clutch": {"capacity": "500 N m", **STRIBECK, "static": "600 N m", "saturation": SATURATION, "ripple": RIPPLE},
+    },
+    "double_clutch_gearbox": {
+        "inertia_input": "0.13 kg m^2",
+        "inertia_output": "0.4 kg m^2",
+        "ratio1": 5.503,
+        "ratio2": 3.333,
+        "clutch1": {"capacity": "300 N m", **STRIBECK},
+        "clutch2": {"capacity": "500 N m", "viscous": "0.1 N m s/rad", "ripple": RIPPLE},
+    },
     "clutch": {
         "inertia_input": "0.02 kg m^2",
         "inertia_output": "0.03 kg m^2",
@@ -135,6 +149,11 @@ VARIANTS: dict[str, tuple[str, dict[str, object]]] = {
     "planetary set by teeth": ("planetary_set", {"ratio": None, "teeth": {"sun": 46, "ring": 98}, "loss": None}),
     "double-pinion planetary set": ("planetary_set", {"pinions": "double", "inertia_planets": None}),
     "gear pair by teeth": ("gear_pair", {"ratio": None, "teeth": {"input": 20, "output": 53}, "reversing": False}),
+    "gearbox with a clutch and gears": ("single_clutch_gearbox", {"gears": {"1": 5.503, "2": 3.333, "R": -3.403}}),
+    "gearbox with two clutches and gears": (
+        "double_clutch_gearbox",
+        {"gears": {"1": 5.503, "2": 3.333}, "ratio_range": [-4, 6]},
+    ),
     "dry clutch": ("clutch", {"static": None, "stribeck_speed": None, "ripple": None, "saturation": None}),
     "clutch with a static limit": ("clutch", {"stribeck_speed": None}),
     "clutch that is always pressed": ("clutch", {"actuated": False}),
@@ -180,7 +199,7 @@ def loose_model(component: Component, name: str = "x", locked: Collection[str] =
         orientation={name: 1},
         observed=(),
     )
-    return assemble(mechanism.with_locked_frictions(set(locked)))
+    return assemble(mechanism.with_locked_frictions(set(locked), holding_ratios=True))
 
 
 def symbols_of(component: Component, name: str = "x") -> dict[str, sp.Symbol]:
