@@ -128,7 +128,7 @@ class Part(Component):
         for member, record in self.description.members.items():
             own = parameters_of(record, f"{name}_{member}")
             inner += own if self.model == "flexible" else [p for p in own if p.symbol.name.endswith("_inertia")]
-        return tuple(inner)
+        return tuple(replace(parameter, owner=name) for parameter in inner)
 
     def elements(self, name: str) -> Elements:
         inner = [
