@@ -10,7 +10,18 @@ from ptgen.gears.combinations import Combination, State
 from ptgen.gears.gear import Gear
 from ptgen.gears.layout import Layout
 
-__all__ = ["Change", "changes"]
+__all__ = ["Change", "Exchange", "changes"]
+
+
+@dataclass(frozen=True)
+class Exchange:
+    """Elements that open, and elements that close."""
+
+    release: tuple[str, ...] = ()
+    apply: tuple[str, ...] = ()
+
+    def __bool__(self) -> bool:
+        return bool(self.release or self.apply)
 
 
 @dataclass(frozen=True)
@@ -23,16 +34,16 @@ class Change:
         Names of the gears.
     release, apply : tuple of str
         Elements that open and that close while the load is handed over.
-    before, after : tuple of str
-        Idle elements that close before, and that open afterwards, without load: preselected synchronisers.
+    before, after : Exchange
+        Idle elements that open and close before and afterwards, without load: preselected synchronisers.
     """
 
     start: str
     end: str
     release: tuple[str, ...]
     apply: tuple[str, ...]
-    before: tuple[str, ...] = ()
-    after: tuple[str, ...] = ()
+    before: Exchange = Exchange()
+    after: Exchange = Exchange()
 
     @property
     def is_single(self) -> bool:
@@ -43,8 +54,8 @@ class Change:
 def changes(layout: Layout, gears: Sequence[Gear], combinations: Sequence[Combination]) -> tuple[Change, ...]:
     """Return the change between every two gears: a single one wherever the layout has one.
 
-    Idle elements may be engaged before the change and be released after it, where no combination on the way is a
-    tie-up; that is how a transmission with two clutches prepares the next gear. Of several such ways the one with the
+    Idle elements may open and close before the change and after it, where no combination on the way is a tie-up;
+    that is how a transmission with two clutches prepares the next gear. Of several such ways the one with the
     fewest idle elements is taken, and of those the one in which the elements with the largest capacities hand over the
     load: clutches rather than synchronisers.
     """
@@ -73,8 +84,8 @@ def changes(layout: Layout, gears: Sequence[Gear], combinations: Sequence[Combin
                     end.name,
                     listed(first - second),
                     listed(second - first),
-                    listed(first - a),
-                    listed(second - b),
+                    Exchange(listed(a - first), listed(first - a)),
+                    Exchange(listed(second - b), listed(b - second)),
                 )
         return best
 
