@@ -1,4 +1,4 @@
-"""The command line: ``ptgen check|show|derive|modal|generate|build|simulate|schema``."""
+"""The command line: ``ptgen check|show|derive|modal|gears|generate|build|simulate|schema``."""
 
 from ptgen.cli.application import app, main
 

@@ -12,7 +12,7 @@ from typing import Annotated
 import typer
 
 from ptgen import __version__
-from ptgen.cli import code, govern, loops, queries, simulation, tuning
+from ptgen.cli import code, gears, govern, loops, queries, simulation, tuning
 from ptgen.cli.outcome import DEBUG, abandon_output, defect
 from ptgen.cli.output import prepare_streams
 
@@ -50,6 +50,7 @@ for _command in (
     queries.show,
     queries.derive,
     queries.modal,
+    gears.gears,
     loops.analyse,
     govern.govern,
     tuning.tune,

@@ -3,7 +3,7 @@
 from ptgen.gears.analysis import GearAnalysis, analyse_gears
 from ptgen.gears.combinations import Combination, State
 from ptgen.gears.gear import Gear
-from ptgen.gears.joined import layout_of
+from ptgen.gears.joined import layout_of, layout_of_part
 from ptgen.gears.layout import Layout
 from ptgen.gears.shift_table import gear_ratios, shift_table_problems
 
@@ -16,5 +16,6 @@ __all__ = [
     "analyse_gears",
     "gear_ratios",
     "layout_of",
+    "layout_of_part",
     "shift_table_problems",
 ]

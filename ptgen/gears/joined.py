@@ -4,15 +4,18 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 
 import networkx as nx
 import sympy as sp
 
+from ptgen.components.part import Part
 from ptgen.elements import Constraint, Elements, Friction, FrictionRole, Row
+from ptgen.errors import ModelError, Problem
 from ptgen.gears.layout import Layout, Loss, ShiftElement, Train, TrainKind, fraction
 
-__all__ = ["exact", "layout_of"]
+__all__ = ["exact", "layout_of", "layout_of_part"]
 
 _DENOMINATOR = 10_000
 """Quotients of numbers of teeth have smaller denominators."""
@@ -44,7 +47,6 @@ def layout_of(
     *,
     title: str = "",
     prefix: str = "",
-    connections: Iterable[tuple[str, str]] = (),
     members: Iterable[str] = (),
 ) -> Layout:
     """Return the layout of a gear set from its elements.
@@ -52,8 +54,9 @@ def layout_of(
     Parameters
     ----------
     elements : Elements
-        Constraints, springs (taken as rigid) and friction elements of all components of the gear set. Friction elements
-        of the role COUPLING are shift elements if they are actuated or one-way; otherwise they are always engaged.
+        Constraints, connections, springs (taken as rigid) and friction elements of all components of the gear set.
+        Friction elements of the role COUPLING are shift elements if they are actuated or one-way; otherwise they are
+        always engaged.
     input_flange, output_flange : str
         The velocities that the gears connect.
     values : mapping of sympy.Symbol to float
@@ -62,22 +65,46 @@ def layout_of(
         What the gear set is called.
     prefix : str
         What all names begin with, such as ``"gears."``; it is left out of the names of the layout.
-    connections : iterable of (str, str)
-        Velocities that are connected rigidly.
     members : iterable of str
         Velocities whose names the members bear that they belong to.
     """
-    return _Builder(elements, values, prefix, connections).layout(title, (input_flange, output_flange), tuple(members))
+    return _Builder(elements, values, prefix).layout(title, (input_flange, output_flange), tuple(members))
+
+
+def layout_of_part(part: Part, name: str = "part") -> Layout:
+    """Return the layout of a part that exposes ``input`` and ``output``, or two flanges of any names.
+
+    Parameters
+    ----------
+    part : Part
+    name : str
+        What the part is called; it stands in no name of the layout.
+
+    Raises
+    ------
+    ModelError
+        If it is not clear which of its flanges the gears connect.
+    """
+    flanges = part.flange_names()
+    ends = ("input", "output") if {"input", "output"} <= set(flanges) else flanges
+    if len(ends) != 2:
+        listed = ", ".join(flanges) or "none"
+        what = f"gears lead from an input to an output, and the flanges are {listed}"
+        raise ModelError(Problem("part.flanges", what, "call two of them input and output"), part.description.file)
+    values = {parameter.symbol: parameter.value for parameter in part.parameters(name)}
+    return layout_of(
+        part.elements(name),
+        f"{name}.{ends[0]}",
+        f"{name}.{ends[1]}",
+        values,
+        title=part.description.title,
+        prefix=f"{name}.",
+        members=[f"{name}.{member}" for member in part.description.members],
+    )
 
 
 class _Builder:
-    def __init__(
-        self,
-        elements: Elements,
-        values: Mapping[sp.Symbol, float],
-        prefix: str,
-        connections: Iterable[tuple[str, str]],
-    ) -> None:
+    def __init__(self, elements: Elements, values: Mapping[sp.Symbol, float], prefix: str) -> None:
         self.prefix = prefix
         self.values = {symbol: exact(value) for symbol, value in values.items()}
         self.frictions = elements.frictions
@@ -86,7 +113,7 @@ class _Builder:
             *elements.constraints,
             *(Constraint(spring.name, spring.row) for spring in elements.springs),
             *(Constraint(friction.name, friction.row) for friction in pressed),
-            *(Constraint("", {left: sp.Integer(1), right: sp.Integer(-1)}) for left, right in connections),
+            *(Constraint("", {left: sp.Integer(1), right: sp.Integer(-1)}) for left, right in elements.connections),
         ]
         self.joints = [row for row in rows if _is_joint(row.row)]
         self.rows = [row for row in rows if not _is_joint(row.row)]
@@ -136,35 +163,40 @@ class _Builder:
         return ShiftElement(self._short(friction.name), kept, float(self._number(friction.coulomb)), friction.one_way)
 
     def _trains(self, names: Mapping[str, str]) -> tuple[Train, ...]:
-        found = []
-        for row in self.rows:
-            numbers = {velocity: self._number(c) for velocity, c in row.row.items()}
-            labels = {velocity: velocity.rpartition(".")[2] for velocity in row.row}
-            found.append((row.owner, *_sorted_row(numbers, labels)))
+        found = [_read_row(row, {velocity: self._number(c) for velocity, c in row.row.items()}) for row in self.rows]
         symbols: dict[TrainKind, dict[str, sp.Symbol]] = {
-            kind: _symbols(letter, [owner for owner, own, _ in found if own is kind])
+            kind: _symbols(letter, [row.owner for row in found if row.kind is kind])
             for kind, letter in _LETTERS.items()
         }
-        trains = []
-        for owner, kind, numbers in found:
-            labels = {velocity: velocity.rpartition(".")[2] for velocity in numbers}
+        meant = {row.parameter: symbols[row.kind][row.owner] for row in found if row.parameter and row.kind in symbols}
+        trains: list[Train] = []
+        for row in found:
+            labels = {velocity: velocity.rpartition(".")[2] for velocity in row.numbers}
             if len(set(labels.values())) < len(labels):
-                labels = {velocity: self._short(velocity) for velocity in numbers}
-            members = {labels[velocity]: names[velocity] for velocity in numbers}
-            symbol = symbols.get(kind, {}).get(owner)
-            ratio, coefficients = _in_symbol(kind, list(numbers.values()), symbol)
+                labels = {velocity: self._short(velocity) for velocity in row.numbers}
+            symbol = symbols.get(row.kind, {}).get(row.owner)
+            coefficients = row.in_symbol(symbol) if symbol is not None else self._in_symbols(row, meant)
+            name = self._short(row.owner)
+            if any(train.name == name for train in trains):
+                name = f"{name}.{list(labels.values())[-1]}"
             trains.append(
                 Train(
-                    self._short(owner),
-                    kind,
-                    members,
-                    dict(zip(members, coefficients, strict=True)),
+                    name,
+                    row.kind,
+                    {labels[velocity]: names[velocity] for velocity in row.numbers},
+                    {labels[velocity]: coefficient for velocity, coefficient in coefficients.items()},
+                    {labels[velocity]: number for velocity, number in row.numbers.items()},
                     symbol,
-                    ratio,
-                    self._loss(owner, labels),
+                    row.ratio,
+                    self._loss(row.owner, labels),
                 )
             )
         return tuple(trains)
+
+    def _in_symbols(self, row: _Row, meant: Mapping[sp.Symbol, sp.Symbol]) -> dict[str, sp.Expr]:
+        """Return the coefficients of a constraint with the ratios of trains as symbols, and numbers for the rest."""
+        rest = {s: sp.Rational(v.numerator, v.denominator) for s, v in self.values.items() if s not in meant}
+        return {v: sp.sympify(row.original[v]).subs(rest).subs(meant) for v in row.numbers}
 
     def _loss(self, owner: str, labels: Mapping[str, str]) -> Loss | None:
         for friction in self.frictions:
@@ -184,32 +216,51 @@ def _is_joint(row: Row) -> bool:
     return len(row) == 2 and set(row.values()) == {sp.Integer(1), sp.Integer(-1)}
 
 
-def _sorted_row(numbers: Mapping[str, Fraction], labels: Mapping[str, str]) -> tuple[TrainKind, dict[str, Fraction]]:
-    """Return what a row stands for, and the row in the order of its kind with the leading coefficient 1."""
-    by_label = {labels[velocity]: velocity for velocity in numbers}
+@dataclass(frozen=True)
+class _Row:
+    """A constraint with what it stands for.
+
+    `numbers` are its coefficients in the order of its kind, and `original` the same as expressions, not in order.
+    """
+
+    owner: str
+    kind: TrainKind
+    numbers: Mapping[str, Fraction]
+    original: Mapping[str, sp.Expr]
+
+    @property
+    def parameter(self) -> sp.Symbol | None:
+        """The parameter that the ratio of a train is, if it is one."""
+        if self.kind is TrainKind.OTHER:
+            return None
+        velocities = list(self.numbers)
+        quotient = sp.sympify(self.original[velocities[1]]) / sp.sympify(self.original[velocities[0]])
+        return next((own for own in (quotient, -quotient) if own.is_Symbol), None)
+
+    @property
+    def ratio(self) -> Fraction:
+        """The value of the ratio; 1 for a constraint of another kind."""
+        return Fraction(1) if self.kind is TrainKind.OTHER else abs(list(self.numbers.values())[1])
+
+    def in_symbol(self, symbol: sp.Symbol) -> dict[str, sp.Expr]:
+        """Return the coefficients written with the symbol of the ratio."""
+        velocities = list(self.numbers)
+        one, signed = sp.Integer(1), symbol if self.numbers[velocities[1]] > 0 else -symbol
+        return dict(zip(velocities, (one, signed, -one - signed), strict=False))
+
+
+def _read_row(row: Constraint, numbers: Mapping[str, Fraction]) -> _Row:
+    """Return what a constraint stands for, with its coefficients in the order of its kind, the first one 1."""
+    by_label = {velocity.rpartition(".")[2]: velocity for velocity in numbers}
     if set(by_label) == {"sun", "ring", "carrier"} and not sum(numbers.values()):
         order = [by_label[label] for label in ("sun", "ring", "carrier")]
         kind = TrainKind.PLANETARY_SET
     elif len(numbers) == 2 and all(numbers.values()):
-        named = set(by_label) == {"input", "output"}
-        order = [by_label["input"], by_label["output"]] if named else list(numbers)
+        order = [by_label["input"], by_label["output"]] if set(by_label) == {"input", "output"} else list(numbers)
         kind = TrainKind.GEAR_PAIR
     else:
-        return TrainKind.OTHER, dict(numbers)
-    return kind, {velocity: numbers[velocity] / numbers[order[0]] for velocity in order}
-
-
-def _in_symbol(
-    kind: TrainKind, numbers: Sequence[Fraction], symbol: sp.Symbol | None
-) -> tuple[Fraction, list[sp.Expr]]:
-    """Return the ratio of a train, and its coefficients written with the symbol of the ratio."""
-    one = sp.Integer(1)
-    if symbol is None:
-        return Fraction(1), [sp.Rational(number.numerator, number.denominator) for number in numbers]
-    signed = symbol if numbers[1] > 0 else -symbol
-    if kind is TrainKind.PLANETARY_SET:
-        return abs(numbers[1]), [one, signed, -one - signed]
-    return abs(numbers[1]), [one, signed]
+        return _Row(row.owner, TrainKind.OTHER, dict(numbers), row.row)
+    return _Row(row.owner, kind, {v: numbers[v] / numbers[order[0]] for v in order}, row.row)
 
 
 def _symbols(letter: str, owners: Sequence[str]) -> dict[str, sp.Symbol]:

@@ -62,11 +62,13 @@ class Train:
     members : mapping of str to str
         Flange, such as ``sun``, -> member, in the order of a picture: sun, carrier or ring, or input, output.
     coefficients : mapping of str to sympy.Expr
-        Flange -> coefficient, in `symbol`.
+        Flange -> coefficient, in ratio symbols.
+    numbers : mapping of str to Fraction
+        The same at the values of the ratios.
     symbol : sympy.Symbol or None
-        The ratio; None for a constraint of another kind, whose coefficients are numbers.
+        The ratio; None for a constraint of another kind.
     ratio : Fraction
-        Value of `symbol`.
+        Value of `symbol`; 1 if there is none.
     loss : Loss or None
     """
 
@@ -74,15 +76,10 @@ class Train:
     kind: TrainKind
     members: Mapping[str, str]
     coefficients: Mapping[str, sp.Expr]
+    numbers: Mapping[str, Fraction]
     symbol: sp.Symbol | None
     ratio: Fraction
     loss: Loss | None = None
-
-    @property
-    def numbers(self) -> dict[str, Fraction]:
-        """The coefficients at the value of the ratio."""
-        values = {} if self.symbol is None else {self.symbol: sp.Rational(self.ratio.numerator, self.ratio.denominator)}
-        return {flange: fraction(sp.sympify(c).subs(values)) for flange, c in self.coefficients.items()}
 
 
 @dataclass(frozen=True)

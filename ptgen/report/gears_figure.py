@@ -41,7 +41,8 @@ def lever_positions(train: Train) -> dict[str, float]:
     >>> import sympy as sp
     >>> g = sp.Symbol("g1", positive=True)
     >>> row = {"sun": sp.Integer(1), "ring": g, "carrier": -1 - g}
-    >>> lever_positions(Train("P1", TrainKind.PLANETARY_SET, {}, row, g, Fraction(2)))
+    >>> numbers = {"sun": Fraction(1), "ring": Fraction(2), "carrier": Fraction(-3)}
+    >>> lever_positions(Train("P1", TrainKind.PLANETARY_SET, {}, row, numbers, g, Fraction(2)))
     {'sun': 1.0, 'carrier': 0.3333333333333333, 'ring': 0.0}
     """
     numbers = {flange: float(number) for flange, number in train.numbers.items()}

@@ -190,6 +190,8 @@ def _trains(found: GearAnalysis, one: Balance) -> Table:
         column.justify = "right"
     for train in found.layout.trains:
         load = one.trains[train.name]
+        if train.symbol is None and not any(load.torques.values()):
+            continue  # the velocity of planets, which nothing else acts on
         for position, (flange, member) in enumerate(train.members.items()):
             name, rolling = (train.name, number_text(load.rolling_power, 4)) if position == 0 else ("", "")
             torque, power = number_text(load.torques[flange], 4), number_text(load.powers[flange], 4)

@@ -17,6 +17,7 @@ from ptgen.components.part import Member, Part, PartDescription
 from ptgen.errors import Problem, TestbedError, nearest
 from ptgen.testbed.chains import follow, split
 from ptgen.testbed.component_tables import PartKind, read_components
+from ptgen.testbed.gear_problems import gear_problems
 from ptgen.testbed.names import check_component_names
 from ptgen.testbed.problems import dotted, shown, validated
 from ptgen.testbed.text import read_toml
@@ -64,7 +65,11 @@ def find_part(file: str, folder: Path) -> Path | None:
 
 
 def read_part(
-    path: str | PathLike[str], values: Mapping[str, object] | None = None, trail: tuple[Path, ...] = ()
+    path: str | PathLike[str],
+    values: Mapping[str, object] | None = None,
+    trail: tuple[Path, ...] = (),
+    *,
+    shift_table: bool = True,
 ) -> type[Part]:
     """Read and check a part file.
 
@@ -76,13 +81,20 @@ def read_part(
         Values that replace those of the file, by their keys without ``components.`` and ``members.``.
     trail : tuple of Path
         The part files that this one is read for, to find one that contains itself.
+    shift_table : bool
+        Whether to check that the gears of the shift table exist, and that each shift element is needed for one.
 
     Raises
     ------
     TestbedError
         With every problem of the file.
     """
-    return _Reading(path, values or {}, trail).part()
+    reading = _Reading(path, values or {}, trail)
+    part = reading.part()
+    problems = gear_problems(part) if shift_table else []
+    if problems:
+        raise TestbedError(problems, reading.file)
+    return part
 
 
 @dataclass(frozen=True)

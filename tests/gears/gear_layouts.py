@@ -61,14 +61,17 @@ class Gearing:
         self.connections += [(name, flange) for flange in flanges]
 
     def layout(self, title: str = "") -> Layout:
-        elements = Elements(constraints=tuple(self.constraints), frictions=tuple(self.frictions))
+        elements = Elements(
+            constraints=tuple(self.constraints),
+            frictions=tuple(self.frictions),
+            connections=tuple(self.connections),
+        )
         return layout_of(
             elements,
             "input",
             "output",
             self.values,
             title=title,
-            connections=self.connections,
             members=self.members,
         )
 

@@ -144,8 +144,11 @@ def test_an_element_that_is_always_pressed_is_a_joint_and_not_a_shift_element() 
 
     from ptgen.elements import Elements
 
-    pressed = Elements(frictions=tuple(replace(friction, actuated=False) for friction in gearing.frictions))
-    layout = layout_of(pressed, "input", "output", {}, connections=gearing.connections)
+    pressed = Elements(
+        frictions=tuple(replace(friction, actuated=False) for friction in gearing.frictions),
+        connections=tuple(gearing.connections),
+    )
+    layout = layout_of(pressed, "input", "output", {})
     assert layout.elements == () and layout.input == layout.output
 
 
