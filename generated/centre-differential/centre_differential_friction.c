@@ -328,13 +328,17 @@ void centre_differential_backlash_step(const real *kappa, const real *e, const r
     for (int i = 0; i < contacts; ++i) {
         T[i] = 0.0;
     }
-    for (int k = 0; k < sweeps; ++k) {
+    int moves = 1;
+    for (int k = 0; k < sweeps && moves; ++k) { /* a sweep that changes nothing is the last that could */
+        moves = 0;
         for (int i = 0; i < contacts; ++i) {
+            const real before = T[i];
             real alone = e_free[i];
             for (int j = 0; j < contacts; ++j) {
                 alone -= j == i ? 0.0 : kappa[j * contact_stride + i] * T[j];
             }
             T[i] = contact_torque(kappa[i * contact_stride + i], e[i], alone, half_gap[i], stiffness[i], damping[i]);
+            moves |= centre_differential_abs(T[i] - before) > 0.0;
         }
     }
 }
