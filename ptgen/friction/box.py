@@ -34,7 +34,8 @@ there are finitely many faces, so it ends, degenerate or not. The number of fact
 is large in a row that has nothing else; solved for as a whole only, the search can hang between two faces that differ
 by rounding. So it changes over after `PATIENCE`.
 
-*Dependent elements* make K singular: `is_deficient`. Then the torques of least norm :math:`\sum K_{ii} T_i^2` are
+*Dependent elements* make K singular: `is_deficient`. Where those that may hold something at the moment are independent,
+as in every gear of a gear set, their torques are unique all the same, and all is as above. Otherwise the torques of least norm :math:`\sum K_{ii} T_i^2` are
 taken, by the method of multipliers: solve with :math:`K + \rho\,\mathrm{diag} K` in place of K, add :math:`w - K T`
 to w, and again, until T solves the problem itself. That is right for elements that slip too: what is added for them
 presses them to their bounds, and is, like all that velocities of the bed can be, orthogonal to the torques that K does
@@ -242,7 +243,7 @@ class _Faces:
         start = np.clip(np.zeros(len(self.w)), self.lo, self.hi)
         warm = guess is not None
         T = np.clip(guess, self.lo, self.hi) if guess is not None else start
-        if not deficient:
+        if not deficient or self._is_unique():
             T, solved = self._descend(self.K, self.w, T, warm)
             if solved:
                 return BoxSolution(T, _rates(self.K, self.w, self.lo, self.hi, T), self.work, True)
@@ -254,6 +255,14 @@ class _Faces:
             size = _level(self.K, size) * DEFICIENT / ROUNDING
             solved = _what_is_left(self.K, self.w, self.lo, self.hi, T, size) == _SOLVED
         return BoxSolution(T, _rates(self.K, self.w, self.lo, self.hi, T, size), self.work, solved)
+
+    def _is_unique(self) -> bool:
+        """Tell whether the elements that may hold something hold independent motions, so that their torques are unique.
+
+        The others have their torques already, such as open clutches. What is close to dependent counts as such.
+        """
+        undecided = self.lo < self.hi
+        return _solve_free(self.K, self.w, undecided, _EPSILON**-0.5) is not None
 
     def _least_norm(self, T: Array, warm: bool, deficient: bool) -> tuple[Array, Array, bool]:
         """Return the torques of least norm, residuals that are rounding, and whether all are."""
@@ -345,10 +354,10 @@ def _sum(T: Array, change: Array) -> Array:
     return np.where(np.abs(total) <= 4 * _EPSILON * np.abs(T), 0.0, total)
 
 
-def _solve_free(H: Array, r: Array, free: NDArray[np.bool_]) -> Array | None:
+def _solve_free(H: Array, r: Array, free: NDArray[np.bool_], no_pivot: float = NO_PIVOT) -> Array | None:
     """Solve ``H d = r`` on the free elements, zero for the others; None if H is singular there."""
     A, y = H[np.ix_(free, free)], r[free]
-    least = NO_PIVOT * _EPSILON * np.diag(A)
+    least = no_pivot * _EPSILON * np.diag(A)
     for j in range(len(A)):
         if not A[j, j] > least[j]:
             return None
