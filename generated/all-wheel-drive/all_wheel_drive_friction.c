@@ -134,8 +134,8 @@ static void unbalanced(const box *b, const real *T, real *r)
     }
 }
 
-/* Solves H d = r on the `count` elements listed in `free`; fails if H is singular there. */
-static int solve_free(const real *H, int count, const int *free, const real *r, real *d)
+/* Solves H d = r on the `count` elements listed in `free`; fails if H is singular there, to `rounding` of the diagonal. */
+static int solve_free(const real *H, int count, const int *free, real rounding, const real *r, real *d)
 {
     real A[n * n], y[n], inverse[n];
     for (int j = 0; j < count; ++j) {
@@ -144,7 +144,7 @@ static int solve_free(const real *H, int count, const int *free, const real *r, 
             A[j * n + i] = column[free[i]];
         }
         y[j] = r[free[j]];
-        inverse[j] = no_pivot * column[free[j]]; /* what the pivot has to exceed */
+        inverse[j] = rounding * column[free[j]]; /* what the pivot has to exceed */
     }
     for (int j = 0; j < count; ++j) {
         const real *column = A + j * n;
@@ -171,6 +171,21 @@ static int solve_free(const real *H, int count, const int *free, const real *r, 
         d[free[j]] = y[j];
     }
     return 1;
+}
+
+/* Whether the elements that may hold something hold independent motions; the others have their torques already. */
+static int is_unique(const real *K, const real *lo, const real *hi)
+{
+    int free[n];
+    real none[n], d[n];
+    int count = 0;
+    for (int i = 0; i < n; ++i) {
+        none[i] = 0.0;
+        if (lo[i] < hi[i]) {
+            free[count++] = i;
+        }
+    }
+    return solve_free(K, count, free, sqrt(DBL_EPSILON), none, d);
 }
 
 /* By how much the function falls from T to `end`. */
@@ -208,7 +223,7 @@ static int face_step(const box *b, int change_only, real *T, int *count, int *fr
         from[free[k]] = 0.0;
     }
     unbalanced(b, from, r);
-    if (!solve_free(b->H, *count, free, r, d)) {
+    if (!solve_free(b->H, *count, free, no_pivot, r, d)) {
         return -1;
     }
     for (int k = 0; k < *count; ++k) {
@@ -342,7 +357,8 @@ static int solve(int deficient, const real *K, const real *w, const real *lo, co
     if (decided) {
         residual(K, w, T, r, size);
     } else {
-        int found = (!deficient && descend(&b, T, r, size)) || least_norm(&b, deficient, K, w, T, r, size);
+        const int unique = !deficient || is_unique(K, lo, hi);
+        int found = (unique && descend(&b, T, r, size)) || least_norm(&b, deficient, K, w, T, r, size);
         if (!found) { /* from where that ended */
             b.H = K;
             b.c = w;
