@@ -17,6 +17,8 @@ __all__ = [
     "Constraint",
     "Drive",
     "Elements",
+    "FluidCoupling",
+    "FluidSector",
     "Friction",
     "FrictionRole",
     "Load",
@@ -197,6 +199,57 @@ class Friction:
 
 
 @dataclass(frozen=True)
+class FluidSector:
+    """Torques of a fluid coupling where one wheel is the faster one: two curves over the other's share of its speed.
+
+    Attributes
+    ----------
+    share : tuple of float (n,)
+        Speed of the slower wheel over that of the faster one, strictly rising from -1 to 1.
+    faster, slower : tuple of n - 1 tuples of float
+        Torques at both wheels while the faster one turns at the reference speed (N m): from ``share[k]`` on the
+        polynomial with the coefficients ``faster[k]``, up to four of them, and ``slower[k]``, up to seven, in rising
+        powers of what is beyond ``share[k]``.
+    """
+
+    share: tuple[float, ...]
+    faster: tuple[tuple[float, ...], ...]
+    slower: tuple[tuple[float, ...], ...]
+
+
+@dataclass(frozen=True)
+class FluidCoupling:
+    r"""The torques of a fluid between a pump and a turbine, functions of both speeds.
+
+    The faster wheel, of speed ``a``, decides on the sector and on the scale ``(a / reference_speed)^2`` of the curves.
+    They give the torque ``T_p`` that the fluid takes from the pump, and ``T_t`` that it exerts on the turbine (source
+    (3.40), (3.41)).
+
+    Attributes
+    ----------
+    name : str
+    pump, turbine : str
+        The velocities.
+    reference_speed : sympy.Expr
+        Speed for which the curves are given (rad/s).
+    sectors : tuple of four FluidSector
+        In this order: the pump is faster and turns forward, the turbine is faster and turns forward, the pump is faster
+        and turns backward, the turbine is faster and turns backward.
+    """
+
+    name: str
+    pump: str
+    turbine: str
+    reference_speed: sp.Expr
+    sectors: tuple[FluidSector, FluidSector, FluidSector, FluidSector]
+
+    @property
+    def rows(self) -> tuple[Row, Row]:
+        """The rows on which ``T_p`` and ``T_t`` act like the torque of a friction element, as ``-row' T``."""
+        return {self.pump: sp.Integer(1)}, {self.turbine: sp.Integer(-1)}
+
+
+@dataclass(frozen=True)
 class Drive:
     """How an electric drive turns its torque reference into air-gap torque.
 
@@ -281,3 +334,4 @@ class Elements:
     places: tuple[Place, ...] = ()
     internal: tuple[str, ...] = ()
     connections: tuple[tuple[str, str], ...] = ()
+    fluids: tuple[FluidCoupling, ...] = ()

@@ -53,14 +53,14 @@ class Project:
 
     @cached_property
     def model(self) -> Model:
-        """The full model, friction velocities first, all gaps closed: linear but for friction."""
+        """The full model, friction velocities first, all gaps closed, without fluids: linear but for friction."""
         with _located(self.testbed.file):
-            return assemble(self.mechanism.with_closed_backlash())
+            return assemble(self.mechanism.with_closed_backlash().without_fluids())
 
     @cached_property
     def plant_model(self) -> Model:
-        """The full model with its gaps."""
-        if not any(spring.backlash is not None for spring in self.mechanism.springs):
+        """The full model with its gaps and fluids."""
+        if not self.mechanism.fluids and not any(spring.backlash is not None for spring in self.mechanism.springs):
             return self.model
         with _located(self.testbed.file):
             return assemble(self.mechanism)
@@ -81,7 +81,7 @@ class Project:
         if self.control_bed is self.testbed:
             return self.model
         with _located(self.testbed.file):
-            return assemble(self.control_mechanism.with_closed_backlash())
+            return assemble(self.control_mechanism.with_closed_backlash().without_fluids())
 
     @cached_property
     def reduced(self) -> ReducedModel:

@@ -12,6 +12,7 @@ from typing import Any
 import casadi as ca
 
 from ptgen.block.block import Assign, Block, Call, Signal, parse_element
+from ptgen.block.casadi_fluid import fluid_torques
 from ptgen.block.casadi_friction import backlash_step, friction_step, is_closed_form
 from ptgen.block.casadi_governor import optimal_governor, sequential_governor
 from ptgen.block.expressions import Arithmetic, evaluate
@@ -293,6 +294,7 @@ CASADI_KERNELS: dict[str, Any] = {
     "lookup": _lookup,
     "friction_step": friction_step,
     "backlash_step": backlash_step,
+    "fluid_torques": fluid_torques,
     "sequential_governor": sequential_governor,
     "optimal_governor": optimal_governor,
 }

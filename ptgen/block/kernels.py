@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from ptgen.friction.backlash import backlash_step
 from ptgen.friction.box import ROUNDING, is_deficient
+from ptgen.friction.fluid import fluid_torques
 from ptgen.friction.step import friction_step
 from ptgen.shaping.optimal import optimal_governor
 from ptgen.shaping.sequential import sequential_governor
@@ -206,6 +207,7 @@ KERNELS: dict[str, Callable[..., Any]] = {
     "lookup": lookup,
     "friction_step": friction_step,
     "backlash_step": backlash_step,
+    "fluid_torques": fluid_torques,
     "sequential_governor": sequential_governor,
     "optimal_governor": optimal_governor,
 }

@@ -22,6 +22,7 @@ from ptgen.components.planetary_set import PlanetarySet
 from ptgen.components.shaft import Shaft
 from ptgen.components.single_clutch_gearbox import SingleClutchGearbox
 from ptgen.components.synchroniser import Synchroniser
+from ptgen.components.torque_converter import TorqueConverter
 from ptgen.components.torque_flange import TorqueFlange
 
 __all__ = ["CATALOGUE"]
@@ -35,6 +36,7 @@ _TYPES: tuple[type[Component], ...] = (
     SingleClutchGearbox,
     DoubleClutchGearbox,
     Clutch,
+    TorqueConverter,
     Freewheel,
     Brake,
     Bearing,

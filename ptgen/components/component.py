@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import types
+import typing
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
@@ -106,7 +108,9 @@ def _quantity_of(info: FieldInfo) -> Quantity | None:
     for meta in info.metadata:
         if isinstance(meta, Quantity):
             return meta
-    for argument in getattr(info.annotation, "__args__", ()):
+    if typing.get_origin(info.annotation) not in (typing.Union, types.UnionType):
+        return None  # the entries of a list are no parameters
+    for argument in typing.get_args(info.annotation):
         for meta in getattr(argument, "__metadata__", ()):
             if isinstance(meta, Quantity):
                 return meta

@@ -175,6 +175,7 @@ class Part(Component):
             sensors=tuple(sensor for elements in inner for sensor in elements.sensors),
             places=tuple(place for elements in inner for place in elements.places),
             connections=tuple(connections),
+            fluids=tuple(fluid for elements in inner for fluid in elements.fluids),
         )
 
 
@@ -205,6 +206,10 @@ def _renamed(elements: Elements, old: str, new: str) -> Elements:
             for place in elements.places
         ),
         connections=tuple((name(left), name(right)) for left, right in elements.connections),
+        fluids=tuple(
+            replace(fluid, name=name(fluid.name), pump=name(fluid.pump), turbine=name(fluid.turbine))
+            for fluid in elements.fluids
+        ),
     )
 
 

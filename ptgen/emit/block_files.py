@@ -8,6 +8,7 @@ from ptgen.block.block import Block
 from ptgen.block.kernels import TAYLOR_DEGREE
 from ptgen.emit.c_block import CBlock
 from ptgen.emit.c_expressions import Precision, literal
+from ptgen.emit.fluid_source import uses_fluid
 from ptgen.emit.friction_source import uses_friction
 from ptgen.emit.governor_source import uses_governor
 from ptgen.emit.templates import render
@@ -62,7 +63,9 @@ def block_files(
     common = {**context, "max_order": max(orders, default=1), "failure_texts": _FAILURE_TEXTS}
     files = {f"{prefix}_support.{suffix}": render(f"support.{suffix}.jinja", **common) for suffix in ("h", "c")}
     for block in blocks:
-        friction, governor = uses_friction(block), uses_governor(block, precision)
+        friction, governor, fluid = uses_friction(block), uses_governor(block, precision), uses_fluid(block)
+        if fluid is not None:
+            files[f"{prefix}_fluid.h"] = render("fluid.h.jinja", **common, **fluid)
         for suffix in ("h", "c"):
             if friction is not None:
                 files[f"{prefix}_friction.{suffix}"] = render(f"friction.{suffix}.jinja", **common, **friction)

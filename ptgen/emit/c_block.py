@@ -11,6 +11,7 @@ from sympy.logic.boolalg import Boolean
 
 from ptgen.block.block import Assign, Block, Call, Section, Signal, Statement, Table, parse_element
 from ptgen.emit.c_expressions import CExpressions, Precision, literal
+from ptgen.emit.fluid_source import uses_fluid
 from ptgen.emit.friction_source import uses_friction
 from ptgen.emit.governor_source import GOVERNORS, uses_governor
 
@@ -140,6 +141,11 @@ class CBlock:
     def has_friction(self) -> bool:
         """Whether the block solves for friction or contact torques."""
         return uses_friction(self.block) is not None
+
+    @property
+    def has_fluid(self) -> bool:
+        """Whether the block computes torques of a fluid."""
+        return uses_fluid(self.block) is not None
 
     @property
     def has_governor(self) -> bool:
@@ -329,6 +335,8 @@ class CBlock:
             return [str(shapes[0][0])]
         if call.kernel == "lookup":
             return [str(shapes[1][0])]
+        if call.kernel == "fluid_torques":
+            return [str(shapes[2][0])]
         if call.kernel == "require_definite":
             return [str(shapes[0][0])]
         return []

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from ptgen.elements import Friction
 from ptgen.errors import Problem, RunError, nearest
+from ptgen.friction.event_fluid import EventFluid
 from ptgen.mechanism.model import LinearForm, Model, evaluate_matrix
 
 __all__ = ["Array", "Booleans", "EventBed", "Forms", "FrictionLaws", "Integers"]
@@ -38,7 +39,7 @@ class Forms:
     @classmethod
     def of(cls, model: Model, forms: Sequence[LinearForm], table: Mapping[sp.Symbol, float]) -> Forms:
         """Return the numbers of forms of a model at values of its parameters."""
-        n_f = len(model.frictions) + len(model.contacts)
+        n_f = len(model.frictions) + len(model.contacts) + 2 * len(model.fluids)
         widths = (len(model.coordinates), len(model.twists), len(model.inputs), n_f, len(model.coordinates))
         parts = []
         for name, width in zip(("z", "e", "u", "f", "a"), widths, strict=True):
@@ -175,7 +176,8 @@ class EventBed:
     actuated : tuple of int
         The elements with an actuation.
     M, C, E, G, H, B : ndarray
-        Inertia, stiffness, rows of twists, friction, contacts and inputs.
+        Inertia, stiffness, rows of twists, friction, contacts and inputs. The rows ``H`` of contacts are followed by
+        those of fluids, whose torques stand behind theirs everywhere.
     Fz, Fe : ndarray (n_z, n_z), (n_z, n_e)
         Torques on the coordinates per velocity and per twist.
     K : ndarray (n_f, n_f)
@@ -184,6 +186,7 @@ class EventBed:
         Viscous friction that is part of `Fz` (N m s/rad).
     contact_twists : ndarray (n_c, n_e)
     gap, contact_stiffness, contact_damping : ndarray (n_c,)
+    fluids : tuple of EventFluid
     signals, loads : Forms
         All signals of the model, and those that capacities depend on.
     laws : FrictionLaws
@@ -221,6 +224,7 @@ class EventBed:
     filtered: tuple[str, ...]
     filter_forms: Forms
     filter_rates: Array
+    fluids: tuple[EventFluid, ...] = ()
 
     @classmethod
     def of(cls, model: Model, parameters: Mapping[str, float], lags: bool) -> EventBed:
@@ -256,7 +260,7 @@ class EventBed:
             C=numeric.stiffness,
             E=E,
             G=G,
-            H=numeric.contact_rows,
+            H=np.vstack([numeric.contact_rows, numeric.fluid_rows]),
             B=numeric.input_rows,
             Fz=-E.T @ numeric.damping @ E - G.T @ numeric.viscous @ G,
             Fe=-E.T @ numeric.stiffness,
@@ -273,6 +277,7 @@ class EventBed:
             filtered=tuple(sensor.name for sensor in sensors),
             filter_forms=Forms.of(model, [model.signals[sensor.name] for sensor in sensors], table),
             filter_rates=1 / numbers.all(sensor.time_constant for sensor in sensors),
+            fluids=tuple(EventFluid(fluid, numbers.one(fluid.reference_speed)) for fluid in model.fluids),
         )
 
     @property
@@ -298,7 +303,7 @@ class EventBed:
     @property
     def n_c(self) -> int:
         """Number of shafts with backlash."""
-        return len(self.H)
+        return len(self.gap)
 
     @cached_property
     def lagging(self) -> Integers:
@@ -307,17 +312,23 @@ class EventBed:
 
     def regions(self, z: Array, e: Array) -> Integers:
         """Return on which side of its gap each contact is; at an end of the gap its motion decides."""
-        twist, rate, half = self.contact_twists @ e, self.H @ z, self.gap / 2
+        twist, rate, half = self.contact_twists @ e, self.H[: self.n_c] @ z, self.gap / 2
         above = (twist > half) | ((twist == half) & (rate > 0)) | (self.gap == 0)
         below = (twist < -half) | ((twist == -half) & (rate < 0))
         return np.where(above, 1, np.where(below, -1, 0)).astype(np.int64)
 
     def contact_torques(self, z: Array, e: Array, region: Integers) -> Array:
-        """Return the torques of the contacts, (3.5)."""
+        """Return the torques of the contacts, (3.5), and those of the fluids behind them."""
+        fluids = np.zeros(0)
+        if self.fluids:
+            speeds = (self.H[self.n_c :] @ z).reshape(-1, 2)
+            fluids = np.concatenate([fluid.torques(a, -b) for fluid, (a, b) in zip(self.fluids, speeds, strict=True)])
         if not len(region):
-            return np.zeros(0)
+            return fluids
         beyond = self.contact_twists @ e - 0.5 * region * self.gap
-        return np.where(region == 0, 0.0, self.contact_stiffness * beyond + self.contact_damping * (self.H @ z))
+        rate = self.H[: self.n_c] @ z
+        contacts = np.where(region == 0, 0.0, self.contact_stiffness * beyond + self.contact_damping * rate)
+        return np.concatenate([contacts, fluids])
 
     def applied(self, z: Array, e: Array, u: Array, contact: Array) -> Array:
         """Return all torques on the coordinates but those of friction."""

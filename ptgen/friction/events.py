@@ -101,8 +101,8 @@ class EventState:
         Friction torques (N m), without the viscous part that belongs to the linear part of the bed.
     region : ndarray of int (n_c,)
         0 for a shaft inside its gap, -1 or +1 for one that is beyond it.
-    contact_torque : ndarray (n_c,)
-        Torques of the shafts with backlash (N m).
+    contact_torque : ndarray (n_c + n_w,)
+        Torques of the shafts with backlash, then of pump and turbine of each fluid (N m).
     air_gap : ndarray (n_u,)
         Air-gap torques (N m).
     accelerations : ndarray (n_z,)
@@ -202,7 +202,7 @@ class EventDriven:
             mode=mode,
             friction_torque=np.zeros(bed.n_f),
             region=bed.regions(z, e),
-            contact_torque=np.zeros(bed.n_c),
+            contact_torque=np.zeros(len(bed.H)),
             air_gap=_filled(air_gap, bed.n_u),
             accelerations=np.zeros(bed.n_z),
             measured=np.zeros(len(bed.filtered)),

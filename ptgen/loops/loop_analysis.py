@@ -356,7 +356,7 @@ def full_model(project: Project, locked: tuple[str, ...]) -> Model:
     """Return the full model of a bed with closed gaps, the named friction elements locked."""
     if not locked:
         return project.control_model
-    mechanism = project.control_mechanism.with_closed_backlash()
+    mechanism = project.control_mechanism.with_closed_backlash().without_fluids()
     mechanism = mechanism.with_locked_frictions(set(locked), holding_ratios=True)
     return assemble(mechanism)
 

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 
 import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
-from ptgen.elements import Spring
+from ptgen.elements import FluidCoupling, Spring
 from ptgen.mechanism.idle_parts import IdlePart, component_of
 from ptgen.mechanism.mechanism import Mechanism
 from ptgen.mechanism.model import Model, evaluate_matrix
@@ -25,6 +25,7 @@ __all__ = [
     "condensation_rules",
     "damping_rule",
     "drive_rules",
+    "fluid_rule",
     "idle_rule",
     "inertia_rule",
     "lock_rule",
@@ -90,6 +91,14 @@ def lock_rule(mechanism: Mechanism, name: str) -> AppliedRule:
         share = f" and {100 * load:.3g} % of the torque at {friction.load.place}" if friction.load and load else ""
         why = f"it sticks up to {held:.4g} N m{share}{', fully actuated' if friction.actuated else ''}"
     return AppliedRule("lock", name, f"asked for in the file; {why}", {"at_rest": held, "load": load})
+
+
+def fluid_rule(fluid: FluidCoupling, locked: Collection[str]) -> AppliedRule:
+    """Return the rule that leaves out the torques of a fluid."""
+    why = "no linear function of the speeds; its torques are disturbances of pump and turbine"
+    if f"{fluid.name.rpartition('.')[0]}.lockup" in locked:
+        why = "pump and turbine turn as one while the lock-up clutch sticks, and without slip the fluid has no torque"
+    return AppliedRule("leave out", fluid.name, why, {})
 
 
 def idle_rule(mechanism: Mechanism, part: IdlePart) -> AppliedRule:

@@ -73,10 +73,11 @@ def _condense(mechanism: Mechanism, coordinates: Coordinates, first: First) -> _
     velocities = mechanism.velocities
     kept, S = coordinates.with_inertia, coordinates.S
     if kept == len(coordinates.names):
-        columns = len(mechanism.frictions) + len(_contacts(mechanism))
+        columns = len(mechanism.frictions) + len(_contacts(mechanism)) + 2 * len(mechanism.fluids)
         return _Condensed(coordinates.names, S, sp.zeros(len(velocities), columns), False)
     springs = exact.stack([exact.row_vector(s.row, velocities) for s in mechanism.springs], len(velocities)) * S
     acting = [f.row for f in mechanism.frictions] + [spring.row for spring in _contacts(mechanism)]
+    acting += _fluid_rows(mechanism)
     frictions = exact.stack([exact.row_vector(row, velocities) for row in acting], len(velocities)) * S
     K = springs.T * sp.diag(*[spring.stiffness for spring in mechanism.springs]) * springs
     try:
@@ -93,6 +94,10 @@ def _condense(mechanism: Mechanism, coordinates: Coordinates, first: First) -> _
     Psi = sp.eye(kept).col_join(-solved[:, :kept])
     offset = sp.zeros(kept, frictions.shape[0]).col_join(-solved[:, kept:])
     return _Condensed(coordinates.names[:kept], exact.canonical(S * Psi), exact.canonical(S * offset), True)
+
+
+def _fluid_rows(mechanism: Mechanism) -> list[Row]:
+    return [row for fluid in mechanism.fluids for row in fluid.rows]
 
 
 def _contacts(mechanism: Mechanism) -> list[Spring]:
@@ -212,7 +217,7 @@ def _model(mechanism: Mechanism, condensed: _Condensed, fixed: tuple[sp.Symbol, 
     c = sp.diag(*[spring.stiffness * factor for spring, factor in zip(mechanism.springs, linear, strict=True)])
     d = sp.diag(*[spring.damping * factor for spring, factor in zip(mechanism.springs, linear, strict=True)])
     contacts = _contacts(mechanism)
-    columns = len(mechanism.frictions) + len(contacts)
+    columns = len(mechanism.frictions) + len(contacts) + 2 * len(mechanism.fluids)
     velocity_rows = {name: follow[index, :] for index, name in enumerate(velocities)}
     n_e = len(twists)
 
@@ -260,4 +265,6 @@ def _model(mechanism: Mechanism, condensed: _Condensed, fixed: tuple[sp.Symbol, 
         contacts=tuple(contacts),
         contact_rows=rows([spring.row for spring in contacts]),
         contact_twists=exact.stack([L[mechanism.springs.index(s), :] for s in contacts], n_e),
+        fluids=mechanism.fluids,
+        fluid_rows=rows(_fluid_rows(mechanism)),
     )

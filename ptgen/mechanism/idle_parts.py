@@ -92,4 +92,5 @@ def without_parts(mechanism: Mechanism, parts: Collection[IdlePart]) -> Mechanis
         places=places,
         connections={flange: at for flange, at in mechanism.connections.items() if flange not in gone},
         observed=tuple(place for place in mechanism.observed if place not in lost),
+        fluids=tuple(fluid for fluid in mechanism.fluids if not {fluid.pump, fluid.turbine} & gone),
     )

@@ -15,6 +15,7 @@ from ptgen.elements import (
     Body,
     Constraint,
     Elements,
+    FluidCoupling,
     Friction,
     Parameter,
     Place,
@@ -40,7 +41,7 @@ class Mechanism:
         Name of the bed.
     velocities : tuple of str
         Names ``<component>.<flange>`` of all velocities, internal ones included.
-    bodies, constraints, springs, frictions, torques, sensors, places
+    bodies, constraints, springs, frictions, torques, sensors, places, fluids
         The elements, see `ptgen.elements`.
     parameters : tuple of Parameter
         Every parameter with its value.
@@ -69,6 +70,7 @@ class Mechanism:
     orientation: Mapping[str, int]
     observed: tuple[str, ...]
     carriers: Mapping[str, tuple[str, int]] = field(default_factory=dict)
+    fluids: tuple[FluidCoupling, ...] = ()
 
     @classmethod
     def of(cls, testbed: Testbed) -> Mechanism:
@@ -108,6 +110,7 @@ class Mechanism:
             connections=connections,
             orientation=testbed.orientation,
             observed=tuple(dict.fromkeys(_observed(testbed, parts))),
+            fluids=tuple(fluid for part in parts for fluid in part.fluids),
         )
 
     @property
@@ -181,6 +184,10 @@ class Mechanism:
     def with_closed_backlash(self) -> Mechanism:
         """Return the mechanism in which all gaps are closed, so that every shaft is linear."""
         return replace(self, springs=tuple(replace(spring, backlash=None) for spring in self.springs))
+
+    def without_fluids(self) -> Mechanism:
+        """Return the mechanism without the torques of fluids, which are no linear functions."""
+        return replace(self, fluids=())
 
     def without_frictions(self, names: set[str]) -> Mechanism:
         """Return the mechanism without the named friction elements."""

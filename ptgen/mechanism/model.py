@@ -1,11 +1,12 @@
 r"""Minimal equations of motion of a bed.
 
 .. math::
-    M \dot z = B' u - E'(C e + D E z) - G'(T + \mathrm{diag}(k_v) G z) - H' T_c, \qquad \dot e = E z
+    M \dot z = B' u - E'(C e + D E z) - G'(T + \mathrm{diag}(k_v) G z) - H' T_c - W' T_w, \qquad \dot e = E z
 
-with velocities ``z``, twists ``e``, air-gap torques ``u``, friction torques ``T`` and the torques ``T_c`` of shafts
-with backlash, the *contacts*. ``M``, ``C`` and ``D`` are symmetric; friction acts through the transpose of the rows
-that give its velocities, so it is dissipative by construction (source (4.22)-(4.25)).
+with velocities ``z``, twists ``e``, air-gap torques ``u``, friction torques ``T``, the torques ``T_c`` of shafts
+with backlash, the *contacts*, and the torques ``T_w`` of fluids, functions of the velocities. ``M``, ``C`` and ``D``
+are symmetric; friction acts through the transpose of the rows that give its velocities, so it is dissipative by
+construction (source (4.22)-(4.25)).
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
-from ptgen.elements import Friction, Parameter, Sensor, Spring, Torque
+from ptgen.elements import FluidCoupling, Friction, Parameter, Sensor, Spring, Torque
 from ptgen.mechanism import exact
 
 __all__ = ["LinearForm", "Model", "NumericModel", "evaluate_matrix"]
@@ -31,7 +32,7 @@ class LinearForm:
     """A signal as a linear function of the model's variables.
 
     ``z . velocities + e . twists + u . inputs + f . friction torques + a . accelerations``; each part is a row. The
-    columns of ``f`` are the friction elements, then the contacts.
+    columns of ``f`` are the friction elements, then the contacts, then pump and turbine of each fluid.
     """
 
     z: sp.Matrix
@@ -101,6 +102,10 @@ class Model:
         ``H``, their twist rates.
     contact_twists : Matrix (n_c, n_e)
         Their twists in the twist states.
+    fluids : tuple of FluidCoupling (n_w / 2)
+        Fluids between a pump and a turbine; the linear analyses have none.
+    fluid_rows : Matrix (n_w, n_z)
+        ``W``, the rows of pump and turbine of each, see `ptgen.elements.FluidCoupling.rows`.
     """
 
     name: str
@@ -127,6 +132,8 @@ class Model:
     contacts: tuple[Spring, ...] = ()
     contact_rows: sp.Matrix = field(default_factory=lambda: sp.zeros(0, 0))
     contact_twists: sp.Matrix = field(default_factory=lambda: sp.zeros(0, 0))
+    fluids: tuple[FluidCoupling, ...] = ()
+    fluid_rows: sp.Matrix = field(default_factory=lambda: sp.zeros(0, 0))
 
     @property
     def order(self) -> int:
@@ -172,11 +179,12 @@ class Model:
     def forces(self) -> LinearForm:
         """Return the generalised torques on the coordinates, ``M dz/dt``; its rows are (n_z, .) matrices."""
         E, G, B = self.twist_rows, self.friction_rows, self.input_rows
+        pairs = ((self.contacts, self.contact_rows), (self.fluids, self.fluid_rows))
         return LinearForm(
             z=-E.T * self.damping * E - G.T * self.viscous * G,
             e=-E.T * self.stiffness,
             u=B.T,
-            f=sp.Matrix.hstack(-G.T, -self.contact_rows.T) if self.contacts else -G.T,
+            f=sp.Matrix.hstack(-G.T, *(-rows.T for elements, rows in pairs if elements)),
             a=sp.zeros(len(self.coordinates), len(self.coordinates)),
         )
 
@@ -230,6 +238,7 @@ class Model:
             signals={name: form.mapped(numbers) for name, form in self.signals.items()},
             contact_rows=numbers(self.contact_rows),
             contact_twists=numbers(self.contact_twists),
+            fluid_rows=numbers(self.fluid_rows),
         )
 
     def numeric(self, values: Mapping[sp.Symbol, float] | None = None) -> NumericModel:
@@ -248,6 +257,7 @@ class Model:
             input_rows=evaluate(self.input_rows),
             viscous=evaluate(self.viscous),
             contact_rows=evaluate(self.contact_rows) if self.contacts else np.zeros((0, len(self.coordinates))),
+            fluid_rows=evaluate(self.fluid_rows) if self.fluids else np.zeros((0, len(self.coordinates))),
         )
 
 
@@ -263,9 +273,10 @@ class NumericModel:
     input_rows: NDArray[np.float64]
     viscous: NDArray[np.float64]
     contact_rows: NDArray[np.float64]
+    fluid_rows: NDArray[np.float64]
 
     def state_matrices(self) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
-        """Return ``A (n, n)``, ``B (n, n_u)`` and ``F (n, n_f + n_c)`` of ``dx/dt = A x + B u + F T``, x = (z, e)."""
+        """Return ``A (n, n)``, ``B (n, n_u)``, ``F (n, n_f + n_c + n_w)``: ``dx/dt = A x + B u + F T``, x = (z, e)."""
         E, G = self.twist_rows, self.friction_rows
         n_z, n_e = self.mass.shape[0], E.shape[0]
         joined = np.hstack([-E.T @ self.damping @ E - G.T @ self.viscous @ G, -E.T @ self.stiffness])
@@ -274,7 +285,7 @@ class NumericModel:
         A[n_z:, :n_z] = E
         B = np.zeros((n_z + n_e, self.input_rows.shape[0]))
         B[:n_z] = np.linalg.solve(self.mass, self.input_rows.T)
-        rows = np.vstack([G, self.contact_rows])
+        rows = np.vstack([G, self.contact_rows, self.fluid_rows])
         F = np.zeros((n_z + n_e, rows.shape[0]))
         F[:n_z] = np.linalg.solve(self.mass, -rows.T)
         return A, B, F

@@ -7,8 +7,8 @@ between the machines. A part may go if it takes hardly any share in any motion m
 * a shaft is made rigid if its share of the strain energy stays below `stiffness_share`, where an inertia that
   must stay would otherwise keep it as a state;
 * velocities without inertia are condensed statically (`ptgen.mechanism.assembly`);
-* losses, internal damping, lag and delay of the drives and filters of the sensors are left out, and the gaps of shafts
-  are closed.
+* losses, internal damping, lag and delay of the drives and filters of the sensors are left out, torques of fluids too,
+  and the gaps of shafts are closed.
 
 Friction elements that couple, such as clutches and limited slips, act as disturbances; those that the file names in
 `locked` are rigid, in the full model too that the reduced one is compared with. What no machine acts on while they slip
@@ -35,6 +35,7 @@ from ptgen.mechanism.applied_rules import (
     condensation_rules,
     damping_rule,
     drive_rules,
+    fluid_rule,
     idle_rule,
     inertia_rule,
     lock_rule,
@@ -123,8 +124,9 @@ def reduce_mechanism(mechanism: Mechanism, settings: ReductionSettings, full: Mo
     """
     _check_settings(mechanism, settings)
     rules = [backlash_rule(mechanism, spring) for spring in mechanism.springs if spring.backlash is not None]
+    rules += [fluid_rule(fluid, settings.locked) for fluid in mechanism.fluids]
     rules += [lock_rule(mechanism, name) for name in sorted(set(settings.locked))]
-    mechanism = mechanism.with_closed_backlash()
+    mechanism = mechanism.with_closed_backlash().without_fluids()
     if settings.locked:
         mechanism, full = mechanism.with_locked_frictions(set(settings.locked)), None
     full = full or assemble(mechanism)

@@ -74,9 +74,15 @@ class SignalForms:
             return self._spring_torques[name].scaled(sign)
         return self._across(name).scaled(sign)
 
+    @property
+    def _first_fluid(self) -> int:
+        """Where the torques of fluids stand among those of friction and contacts."""
+        contacts = sum(spring.backlash is not None for spring in self._mechanism.springs)
+        return len(self._mechanism.frictions) + contacts
+
     def _zero(self, z: sp.Matrix | None = None) -> LinearForm:
         n_u = len(self._mechanism.torques)
-        n_f = len(self._mechanism.frictions) + sum(spring.backlash is not None for spring in self._mechanism.springs)
+        n_f = self._first_fluid + 2 * len(self._mechanism.fluids)
         return LinearForm(
             z=sp.zeros(1, self._n_z) if z is None else z,
             e=sp.zeros(1, self._n_e),
@@ -100,6 +106,8 @@ class SignalForms:
             form.f[0, index] -= share
             for name, value in friction.row.items():
                 form = form + self._zero(z=self._velocity_rows[name] * (-share * friction.linear_viscous * value))
+        for index, row in enumerate(row for fluid in self._mechanism.fluids for row in fluid.rows):
+            form.f[0, self._first_fluid + index] -= along(row)
         for spring in self._mechanism.springs:
             share = along(spring.row)
             if share != 0:

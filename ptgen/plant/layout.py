@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from ptgen.elements import Friction
+from ptgen.elements import FluidCoupling, Friction
 from ptgen.mechanism.model import Model
 from ptgen.plant.ratios import quick_ratios
 
 __all__ = ["Layout", "identifier", "signal_name"]
 
 
-def identifier(friction: Friction) -> str:
-    """Return the name of a friction element as a C identifier."""
-    return friction.name.replace(".", "_")
+def identifier(element: Friction | FluidCoupling) -> str:
+    """Return the name of a friction element or a fluid as a C identifier."""
+    return element.name.replace(".", "_")
 
 
 def signal_name(place: str) -> str:
@@ -36,6 +36,8 @@ class Layout:
     """Friction elements whose rows change with quick ratios."""
     pressed: tuple[int, ...] = ()
     """Coordinates on which their torques act."""
+    n_w: int = 0
+    """Torques of fluids, two of each."""
 
     @classmethod
     def of(cls, model: Model) -> Layout:
@@ -54,6 +56,7 @@ class Layout:
             pressed=tuple(
                 k for k in range(len(model.coordinates)) if any(model.friction_rows[i, k] != 0 for i in turning)
             ),
+            n_w=2 * len(model.fluids),
         )
 
     @property
@@ -63,8 +66,8 @@ class Layout:
 
     @property
     def n_t(self) -> int:
-        """Number of torques that a step solves for: those of friction elements, then those of contacts."""
-        return self.n_f + self.n_c
+        """Number of torques that a step finds: of friction elements, then contacts, then pump and turbine of fluids."""
+        return self.n_f + self.n_c + self.n_w
 
     @property
     def solved(self) -> tuple[int, ...]:

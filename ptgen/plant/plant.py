@@ -5,7 +5,8 @@ For held inputs and friction torques the linear part is discretised exactly,
 it. Computation and dead time of :math:`(d + f) h` let the command of :math:`d + 1` steps ago act for the first
 :math:`f h` of a step, and that of :math:`d` steps ago for the rest; this too is exact. The friction torques of a step
 follow from :math:`K = -G\,\Gamma_f` by `ptgen.friction.step`, those of shafts with backlash by
-`ptgen.friction.backlash`; their capacities are those of `ptgen.plant.capacities`, at mid-step, which keeps order 2.
+`ptgen.friction.backlash`; capacities are those of `ptgen.plant.capacities` and torques of fluids those of
+`ptgen.plant.fluids`, at mid-step, which keeps order 2.
 
 A gear ratio that changes at run time is an input, taken over the whole step, best the value at its middle, which keeps
 order 2. With the ratio the shafts' rows :math:`E(i)` change, and all matrices are computed anew, in the steps in which
@@ -28,6 +29,7 @@ from ptgen.friction.step import UNSOLVED
 from ptgen.mechanism.dependence import is_dependent
 from ptgen.mechanism.model import Model
 from ptgen.plant.capacities import Capacities
+from ptgen.plant.fluids import Fluids
 from ptgen.plant.layout import Layout, identifier
 from ptgen.plant.limits import DELAY_CAPACITY, check_delays, too_fast
 from ptgen.plant.preparation import Preparation
@@ -78,6 +80,7 @@ class _Plant:
         self.layout = Layout.of(model)
         self.signals = PlantSignals(model, self.layout)
         self.capacities = Capacities(model, self.layout, self.signals)
+        self.fluids = Fluids(model, self.layout)
 
     def block(self) -> Block:
         layout = self.layout
@@ -108,7 +111,7 @@ class _Plant:
             Signal("transition", "", "x at the end of the step without friction torques", (n, width)),
             *(Signal(f"{m}_dead_steps", "", "whole steps of dead time") for m in self._names()),
         ]
-        kinds = "velocity, twist, input, friction and contact"
+        kinds = "velocity, twist, input, friction and contact" + (", fluid" if layout.n_w else "")
         arrays = [
             Signal("mass", "kg m^2", "inertia matrix of the coordinates", (layout.n_z, layout.n_z)),
             Signal("forces", "", f"torques on the coordinates per {kinds}", (layout.n_z, force_columns)),
@@ -140,14 +143,16 @@ class _Plant:
                 for m in self._names()
             ),
             *self.capacities.states(),
+            *self.fluids.states(),
             *(
                 Signal(f"{p.symbol.name}{NOW}", p.unit, f"{p.description}, in the last step", value=p.value)
                 for p in self.model.changing
             ),
         ]
         if n_t:
-            derived.append(Signal("gamma", "", "x at the end of the step per friction and contact torque", (n, n_t)))
-            arrays.append(Signal("mean_torque", "N m", "mean friction and contact torques of the step", (n_t,)))
+            solved = "friction, contact and fluid" if layout.n_w else "friction and contact"
+            derived.append(Signal("gamma", "", f"x at the end of the step per {solved} torque", (n, n_t)))
+            arrays.append(Signal("mean_torque", "N m", f"mean {solved} torques of the step", (n_t,)))
         if layout.n_f:
             self._declare_frictions(states, derived, arrays)
         if layout.n_c:
@@ -167,6 +172,7 @@ class _Plant:
             step=step,
             measure=measure,
             alarms=self._alarms(),
+            tables=self.fluids.tables(),
             tracked=tuple(
                 Tracked(f"{p.symbol.name}{NOW}", p.symbol.name, quick=p.symbol in quick) for p in self.model.changing
             ),
@@ -281,6 +287,7 @@ class _Plant:
         statements.append(Call("multiply", ("x_free",), ("transition", "x"), "x+ = Phi x + Gamma_u u"))
         if layout.n_t == 0:
             return (*statements, *(Assign(str(element("x", k)), element("x_free", k)) for k in range(layout.n)))
+        statements += self.fluids.at_mid_step(self._with_last_torques)
         statements += self._contact_torques()
         statements += self._friction_torques()
         statements.append(
@@ -289,6 +296,7 @@ class _Plant:
         statements += [statement for i in range(layout.n_f) for statement in self._settled(i)]
         statements += self.capacities.turned()
         statements += self._contacts_at_end()
+        statements += self.fluids.at_end()
         return tuple(statements)
 
     def _friction_torques(self) -> list[Statement]:
@@ -365,22 +373,46 @@ class _Plant:
         value = sp.Piecewise((sp.Integer(0), stands), (velocity, True))
         return [Assign(str(element("x", state)), value, "exactly zero while it sticks")]
 
+    def _with_last_torques(self, k: int) -> sp.Expr:
+        """Return a state at the end of the step with all torques as they were at the end of the last one."""
+        layout = self.layout
+        return element("x_free", k) + sum(
+            (
+                self._share(k, first, name, count)
+                for name, first, count in (
+                    ("friction_torque", 0, layout.n_f),
+                    ("contact_torque", layout.n_f, layout.n_c),
+                    ("fluid_torque", layout.n_f + layout.n_c, layout.n_w),
+                )
+            ),
+            sp.Integer(0),
+        )
+
     def _with_frictions(self, k: int) -> sp.Expr:
         """Return a state at the end of the step with the last friction torques, but without contact torques."""
-        shares = (element("gamma", k, j) * element("friction_torque", j) for j in range(self.layout.n_f))
-        return element("x_free", k) + sum(shares, sp.Integer(0))
+        return element("x_free", k) + self._share(k, 0, "friction_torque", self.layout.n_f) + self._of_fluids(k)
 
     def _with_contacts(self, k: int) -> sp.Expr:
         """Return a state at the end of the step with contact torques, but without friction torques."""
-        n_f = self.layout.n_f
-        shares = (element("gamma", k, n_f + j) * element("contact_mean", j) for j in range(self.layout.n_c))
-        return element("x_free", k) + sum(shares, sp.Integer(0))
+        n_f, n_c = self.layout.n_f, self.layout.n_c
+        return element("x_free", k) + self._share(k, n_f, "contact_mean", n_c) + self._of_fluids(k)
 
     def _predicted(self, k: int) -> sp.Expr:
         """Return a state at the end of the step with the last friction torques and with contact torques."""
         if k >= self.layout.n:
             return element("x", k)
-        return self._with_frictions(k) + self._with_contacts(k) - element("x_free", k)
+        return self._with_contacts(k) + self._share(k, 0, "friction_torque", self.layout.n_f)
+
+    def _of_fluids(self, k: int) -> sp.Expr:
+        """Return what the torques of fluids, which are known first, add to a state."""
+        first = self.layout.n_f + self.layout.n_c
+        shares = (element("gamma", k, j) * element("mean_torque", j) for j in range(first, self.layout.n_t))
+        return sum(shares, sp.Integer(0))
+
+    def _share(self, k: int, first: int, name: str, count: int) -> sp.Expr:
+        """Return what the torques `name`, which stand from column `first` on, add to a state."""
+        shares = (element("gamma", k, first + j) * element(name, j) for j in range(count))
+        return sum(shares, sp.Integer(0))
 
 
 def _symbols(statement: Statement) -> Sequence[sp.Symbol]:

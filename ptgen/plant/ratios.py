@@ -41,7 +41,7 @@ def quick_ratios(model: Model) -> set[sp.Symbol]:
     changing = {parameter.symbol for parameter in model.changing}
     slow: set[sp.Basic] = set()
     matrices = [model.mass, model.twist_rows, model.stiffness, model.damping, model.input_rows, model.contact_rows]
-    matrices += [model.contact_twists, *model.velocity_rows.values(), *model.spring_rows.values()]
+    matrices += [model.fluid_rows, model.contact_twists, *model.velocity_rows.values(), *model.spring_rows.values()]
     rows = [model.friction_rows[i, :] for i in range(len(model.frictions))]
     matrices += [row for row, friction in zip(rows, model.frictions, strict=True) if friction.linear_viscous != 0]
     matrices += [form.a for form in model.signals.values()]

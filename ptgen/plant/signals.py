@@ -7,10 +7,11 @@ from collections.abc import Callable
 import sympy as sp
 
 from ptgen.block.block import Assign, Signal, Statement, element
+from ptgen.elements import FluidCoupling
 from ptgen.mechanism.model import LinearForm, Model
 from ptgen.plant.layout import Layout, identifier, signal_name
 
-__all__ = ["PlantSignals"]
+__all__ = ["PlantSignals", "fluid_signals"]
 
 
 class PlantSignals:
@@ -66,6 +67,7 @@ class PlantSignals:
             *(x(layout.air_gap(i)) for i in range(layout.n_u)),
             *(element("friction_torque", j) for j in range(layout.n_f)),
             *(element("contact_torque", j) for j in range(layout.n_c)),
+            *(element("fluid_torque", j) for j in range(layout.n_w)),
         ]
         coefficients = [*form.z, *form.e, *form.u, *form.f]
         reaction = [
@@ -97,6 +99,9 @@ class PlantSignals:
             speed = sp.Symbol(f"{name}_speed", real=True)
             torque_now = element("friction_torque", i) + friction.linear_viscous * speed
             statements += [Assign(speed.name, self.friction_speed(i)), Assign(f"{name}_torque", torque_now)]
+        for i, fluid in enumerate(model.fluids):
+            names = fluid_signals(fluid)
+            statements += [Assign(name, element("fluid_torque", 2 * i + j)) for j, name in enumerate(names)]
         return tuple(statements)
 
     def outputs(self) -> tuple[Signal, ...]:
@@ -113,4 +118,12 @@ class PlantSignals:
             name = identifier(friction)
             outputs.append(Signal(f"{name}_torque", "N m", f"torque of the friction element {friction.name}"))
             outputs.append(Signal(f"{name}_speed", "rad/s", f"velocity of the friction element {friction.name}"))
+        for fluid in self.model.fluids:
+            texts = (f"torque that {fluid.name} takes from the pump", f"torque that {fluid.name} exerts on the turbine")
+            outputs += [Signal(name, "N m", text) for name, text in zip(fluid_signals(fluid), texts, strict=True)]
         return tuple(outputs)
+
+
+def fluid_signals(fluid: FluidCoupling) -> tuple[str, str]:
+    """Return the names of the torques of pump and turbine."""
+    return f"{identifier(fluid)}_pump_torque", f"{identifier(fluid)}_turbine_torque"

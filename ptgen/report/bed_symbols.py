@@ -1,7 +1,8 @@
 """The symbols of components in a drawing: machines as rotors, shafts as springs, gearboxes as trapezoids.
 
 Couplings, brakes and bearings have the symbols of gear schemes: facing plates, a disk between shoes that hang on the
-housing, journals between hatched blocks; a freewheel points to what it drives.
+housing, journals between hatched blocks; a freewheel points to what it drives, a torque converter has two shells that
+face each other.
 
 Each symbol is drawn around a place of the grid and ends its stubs at `HALF` to the left and right of it.
 """
@@ -121,6 +122,19 @@ def _clutch(axes: Axes, x: float, y: float, colour: str, text: str, mirrored: bo
         _patch(axes, [(x - 0.03, low), (x - 0.03, low + 0.1), (x + 0.03, low + 0.1), (x + 0.03, low)], GREY)
 
 
+def _torque_converter(axes: Axes, x: float, y: float, colour: str, text: str, mirrored: bool) -> None:
+    from matplotlib.patches import Arc
+
+    _stubs(axes, x, y, 0.16)
+    for side in (-1, 1):  # two shells that face each other, with blades
+        turn = 90.0 if side < 0 else -90.0
+        shell = Arc((x + side * 0.03, y), 0.26, 0.46, theta1=turn, theta2=turn + 180.0, color=INK, lw=_LINE, zorder=3)
+        axes.add_patch(shell)
+        _bar(axes, x + side * 0.03, y - 0.23, y + 0.23, width=_LINE)
+    tip = -0.015 if mirrored else 0.015
+    _patch(axes, [(x + tip, y), (x - tip, y + 0.05), (x - tip, y - 0.05)], INK)
+
+
 def _freewheel(axes: Axes, x: float, y: float, colour: str, text: str, mirrored: bool) -> None:
     _stubs(axes, x, y, 0.13)
     tip = -0.13 if mirrored else 0.13
@@ -178,6 +192,7 @@ _SYMBOLS: Mapping[str, Callable[[Axes, float, float, str, str, bool], None]] = {
     "gearbox": _gearbox,
     "clutch": _clutch,
     "freewheel": _freewheel,
+    "torque_converter": _torque_converter,
     "brake": _brake,
     "bearing": _bearing,
     "differential": _differential,

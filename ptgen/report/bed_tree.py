@@ -117,6 +117,8 @@ def _values(bed: Testbed, record: Record, path: str) -> list[str]:
             lines.append(f"{field} {shown}{mark}")
         elif isinstance(value, dict):
             lines.append(f"{field} {_entries(value, units.get(field, ''))}{mark}")
+        elif isinstance(value, tuple) and all(isinstance(entry, float) for entry in value):
+            lines.append(f"{field} {', '.join(readable(entry, units.get(field, '')) for entry in value)}{mark}")
         else:
             words = value if isinstance(value, tuple) else (value,)
             shown = ", ".join("yes" if word is True else "no" if word is False else str(word) for word in words)

@@ -14,6 +14,7 @@ from ptgen.emit.project import actuation_names, ratio_names, recorded_signals
 from ptgen.errors import Problem, RunError
 from ptgen.friction.events import EventDriven, EventState
 from ptgen.plant.layout import identifier, signal_name
+from ptgen.plant.signals import fluid_signals
 from ptgen.project import Project
 from ptgen.simulate.closed_loop import REPORTS, ClosedLoop
 from ptgen.simulate.drives import Commands, course, kinks, value_at
@@ -172,6 +173,8 @@ class _Plant:
         for friction, speed in zip(model.frictions, self._bed.friction_velocities(state), strict=True):
             found[f"{identifier(friction)}_torque"] = signals[friction.name]
             found[f"{identifier(friction)}_speed"] = float(speed)
+        fluids = [name for fluid in model.fluids for name in fluid_signals(fluid)]
+        found |= dict(zip(fluids, state.contact_torque[len(model.contacts) :].tolist(), strict=True))
         return found
 
 

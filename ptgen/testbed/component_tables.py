@@ -5,12 +5,14 @@ from __future__ import annotations
 import difflib
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any
 
 from ptgen.components.catalogue import CATALOGUE
 from ptgen.components.component import Component
 from ptgen.components.part import Part
 from ptgen.errors import Problem, nearest
+from ptgen.testbed.map_files import read_component
 from ptgen.testbed.names import check_component_names, check_mangled
 from ptgen.testbed.problems import dotted, shown, validated
 
@@ -43,7 +45,7 @@ class ComponentTables:
     problems: list[Problem] = field(default_factory=list)
 
 
-def read_components(described: object, part_kind: PartKind) -> ComponentTables:
+def read_components(described: object, part_kind: PartKind, folder: Path) -> ComponentTables:
     """Read the tables of all components.
 
     Parameters
@@ -52,17 +54,19 @@ def read_components(described: object, part_kind: PartKind) -> ComponentTables:
         What stands under ``components``.
     part_kind : callable
         Reads the file of a part.
+    folder : Path
+        Where files with the columns of a table are looked for.
     """
     if not isinstance(described, dict):
         return ComponentTables(problems=[Problem("components", f"must hold tables, got {shown(described)}", _EXAMPLE)])
     result = ComponentTables(problems=check_component_names(described, "components"))
     for name, table in described.items():
-        _read(result, name, table, part_kind)
+        _read(result, name, table, part_kind, folder)
     result.problems.extend(check_mangled(result.components))
     return result
 
 
-def _read(result: ComponentTables, name: str, table: object, part_kind: PartKind) -> None:
+def _read(result: ComponentTables, name: str, table: object, part_kind: PartKind, folder: Path) -> None:
     where = dotted("components", name)
     if not isinstance(table, dict):
         remedy = f'write [{where}] with type = "machine" (or another type) and its values'
@@ -91,7 +95,7 @@ def _read(result: ComponentTables, name: str, table: object, part_kind: PartKind
             result.problems.extend(problems)
             return
     result.types[name] = kind
-    component, problems = validated(kind, table, "components", name)
+    component, problems = read_component(kind, table, folder, "components", name)
     result.problems.extend(problems)
     if component is not None:
         result.components[name] = component

@@ -90,6 +90,9 @@ def _identifiers(name: str, component: Component) -> Iterator[str]:
         yield f"{plain}_speed"
         if friction.actuated:
             yield f"{plain}_actuation"
+    for fluid in elements.fluids:
+        plain = fluid.name.replace(".", "_")
+        yield from (f"{plain}_{part}" for part in ("pump_torque", "turbine_torque", "knots", "curves"))
     yield from (velocity.replace(".", "_") for velocity in elements.internal)
     if any(spring.name == name for spring in elements.springs):
         yield f"{name}_torque_ref"

@@ -178,7 +178,8 @@ class _Reading:
         return tables
 
     def _components(self, described: object) -> tuple[dict[str, type[Component]], dict[str, Component]]:
-        tables = read_components(described, part_kinds(self.path.parent, self.digests, self.trail))
+        folder = self.path.parent
+        tables = read_components(described, part_kinds(folder, self.digests, self.trail), folder)
         types, components = tables.types, tables.components
         self.problems += tables.problems
         for name, kind in types.items():

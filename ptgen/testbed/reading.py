@@ -62,7 +62,8 @@ def load(path: str | PathLike[str]) -> Testbed:
     problems += found
     described = tables.get("components", {})
     digests = [document.digest]
-    tabled = read_components(described, part_kinds(Path(document.file).parent, digests))
+    folder = Path(document.file).parent
+    tabled = read_components(described, part_kinds(folder, digests), folder)
     types, components = tabled.types, tabled.components
     problems += tabled.problems
     problems += check_governor(

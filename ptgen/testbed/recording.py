@@ -41,7 +41,7 @@ class Columns:
     value: list[float]
 
 
-def read_columns(path: Path, time: str | None, column: str) -> Columns:
+def read_columns(path: Path, time: str | None, column: str, beside: str = "the scenario file") -> Columns:
     """Read a signal and its time from a measurement file.
 
     Parameters
@@ -52,6 +52,8 @@ def read_columns(path: Path, time: str | None, column: str) -> Columns:
         Name of the column that holds the time; MF4 needs none.
     column : str
         Name of the column that holds the values.
+    beside : str
+        What the file is looked for beside.
 
     Raises
     ------
@@ -69,7 +71,7 @@ def read_columns(path: Path, time: str | None, column: str) -> Columns:
     except (OSError, ValueError):  # a name that the system cannot even look for
         is_file = False
     if not is_file:
-        raise RecordingError("file", f"{path} does not exist", "files are looked for beside the scenario file")
+        raise RecordingError("file", f"{path} does not exist", f"files are looked for beside {beside}")
     try:
         columns = readers[suffix](path, time or "", column)
     except OSError as error:

@@ -13,6 +13,7 @@ from ptgen.block.casadi_evaluator import CASADI_KERNELS
 from ptgen.block.kernels import KERNELS, delay, discretise, guard, lasting, lookup, share, still, swings
 from ptgen.emit.block_files import common_context
 from ptgen.emit.c_block import CBlock
+from ptgen.emit.fluid_source import fluid_context
 from ptgen.emit.friction_source import friction_context
 from ptgen.emit.governor_source import governor_context
 from ptgen.emit.templates import render
@@ -22,8 +23,9 @@ from ptgen.project import Project
 def test_every_kernel_has_all_implementations(projects: dict[str, Project]) -> None:
     assert set(KERNELS) == set(CASADI_KERNELS)
     context = {**common_context("x", "", "", "double"), "max_order": 1, **friction_context(elements=2, contacts=1)}
+    context |= fluid_context()
     context |= governor_context(1, "double", order=(0, 0), states=1, table_rows=1, numbers=(1, 8))
-    headers = "".join(render(f"{part}.h.jinja", **context) for part in ("support", "friction", "governor"))
+    headers = "".join(render(f"{part}.h.jinja", **context) for part in ("support", "friction", "governor", "fluid"))
     for name in KERNELS:
         assert f"x_{name}(" in headers, name
 

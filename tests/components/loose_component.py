@@ -68,6 +68,17 @@ EXAMPLES: dict[str, dict[str, object]] = {
         "saturation": SATURATION,
         "ripple": RIPPLE,
     },
+    "torque_converter": {
+        "inertia_pump": "0.1 kg m^2",
+        "inertia_turbine": "0.05 kg m^2",
+        "reference_speed": "2000 rpm",
+        "drive": {
+            "speed_ratio": [0, 0.2, 0.4, 0.6, 0.8, 0.9, 1],
+            "torque_ratio": [2, 1.75, 1.5, 1.25, 1.02, 1, 1],
+            "pump_torque": ["180 N m", "185 N m", "180 N m", "165 N m", "130 N m", "80 N m", "0 N m"],
+        },
+        "lockup": {"capacity": "300 N m", **STRIBECK, "saturation": SATURATION, "ripple": RIPPLE},
+    },
     "freewheel": {
         "inertia_input": "0.02 kg m^2",
         "inertia_output": "0.03 kg m^2",
@@ -141,6 +152,17 @@ MESH = {
     "mesh_damping": "3 N m s/rad",
 }
 
+REVERSE = {
+    "speed_ratio": [-1, -0.5, 0],
+    "torque_ratio": [1.2, 1.8, 2],
+    "pump_torque": ["230 N m", "200 N m", "180 N m"],
+}
+COAST = {
+    "speed_ratio": [0, 0.5, 0.9, 1],
+    "turbine_torque": ["150 N m", "120 N m", "60 N m", "0 N m"],
+    "torque_ratio": [0.8, 0.9, 0.95, 1],
+}
+
 VARIANTS: dict[str, tuple[str, dict[str, object]]] = {
     "shaft with backlash": ("shaft", {"backlash": "0.5 deg"}),
     "gearbox with elastic teeth": ("gearbox", MESH),
@@ -157,6 +179,8 @@ VARIANTS: dict[str, tuple[str, dict[str, object]]] = {
     "dry clutch": ("clutch", {"static": None, "stribeck_speed": None, "ripple": None, "saturation": None}),
     "clutch with a static limit": ("clutch", {"stribeck_speed": None}),
     "clutch that is always pressed": ("clutch", {"actuated": False}),
+    "torque converter without lock-up": ("torque_converter", {"lockup": None}),
+    "torque converter with all maps": ("torque_converter", {"reverse": REVERSE, "coast": COAST}),
     "brake that is always pressed": ("brake", {"actuated": False}),
 }
 """Examples with other fields of a type than the one in `EXAMPLES`."""
@@ -198,6 +222,7 @@ def loose_model(component: Component, name: str = "x", locked: Collection[str] =
         connections={},
         orientation={name: 1},
         observed=(),
+        fluids=elements.fluids,
     )
     return assemble(mechanism.with_locked_frictions(set(locked), holding_ratios=True))
 

@@ -46,6 +46,7 @@ def expressions_of(elements: Elements) -> list[sp.Expr]:
             found += [friction.saturated.slope, friction.saturated.speed]
         if friction.ripple is not None:
             found += [friction.ripple.amplitude, friction.ripple.phase]
+    found += [fluid.reference_speed for fluid in elements.fluids]
     found += [sensor.time_constant for sensor in elements.sensors if sensor.time_constant is not None]
     for torque in elements.torques:
         drive = torque.drive
@@ -114,7 +115,8 @@ def test_elements_speak_of_own_velocities_only(name: str) -> None:
         assert friction.load is None or friction.load.place in own
     spring_names = {spring.name for spring in elements.springs}
     assert all(sensor.of in own | spring_names for sensor in elements.sensors)
-    for element in (*elements.frictions, *elements.springs):
+    assert all({fluid.pump, fluid.turbine} <= own for fluid in elements.fluids)
+    for element in (*elements.frictions, *elements.springs, *elements.fluids):
         assert element.name == "part" or element.name.startswith("part.")
 
 
@@ -203,7 +205,7 @@ def test_friction_takes_exactly_torque_times_slip(name: str) -> None:
     model = loose_model(component)
     z = sp.Matrix(sp.symbols(f"z0:{len(model.coordinates)}"))
     T = sp.Matrix(sp.symbols(f"T0:{len(elements.frictions)}"))
-    rate = model.accelerations().f * T
+    rate = model.accelerations().f[:, : len(T)] * T
     velocity = {name: (row * z)[0] for name, row in model.velocity_rows.items()}
     slope = {name: (row * rate)[0] for name, row in model.velocity_rows.items()}
     energy_rate = sum(body.inertia * velocity[body.velocity] * slope[body.velocity] for body in elements.bodies)

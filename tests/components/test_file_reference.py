@@ -10,7 +10,9 @@ import pytest
 
 from ptgen.components.catalogue import CATALOGUE
 from ptgen.components.component import Record
+from ptgen.components.converter_maps import CoastMap, DriveMap, ReverseMap
 from ptgen.components.friction import FrictionRipple, FrictionSaturation, LoadDependentFriction
+from ptgen.components.friction_partial import DiskLaw
 from ptgen.components.part import Member, Part
 from ptgen.testbed.feedback import LossMap
 from ptgen.testbed.parts import PartSection
@@ -42,6 +44,10 @@ def test_every_key_of_every_type_is_explained(name: str) -> None:
     ("heading", "record"),
     [
         ("### loss, limited_slip", LoadDependentFriction),
+        ('### type = "torque_converter"', DriveMap),
+        ('### type = "torque_converter"', ReverseMap),
+        ('### type = "torque_converter"', CoastMap),
+        ('### type = "torque_converter"', DiskLaw),
         ("### saturation, ripple", FrictionSaturation),
         ("### saturation, ripple", FrictionRipple),
         ("## [reduction]", ReductionSettings),

@@ -137,7 +137,8 @@ def test_every_component_file_is_in_the_catalogue() -> None:
     concrete = {kind for kind in below(Component) if kind.__module__.startswith("ptgen.") and "type_name" in vars(kind)}
     assert concrete == {*CATALOGUE.values(), Part}
     partials = {"clutched_gearbox_partial.py", "differential_partial.py", "friction_partial.py", "sensor_partial.py"}
-    shared = {"__init__.py", "catalogue.py", "component.py", "friction.py", "part.py", *partials}
+    maps = {"converter_maps.py", "fluid_sectors.py", "map_table.py"}
+    shared = {"__init__.py", "catalogue.py", "component.py", "friction.py", "part.py", *partials, *maps}
     stems = {component.__module__.rpartition(".")[2] + ".py" for component in CATALOGUE.values()}
     assert {file.name for file in (PACKAGE / "components").glob("*.py")} == stems | shared
 
