@@ -35,13 +35,14 @@ is large in a row that has nothing else; solved for as a whole only, the search 
 by rounding. So it changes over after `PATIENCE`.
 
 *Dependent elements* make K singular: `is_deficient`. Where those that may hold something at the moment are independent,
-as in every gear of a gear set, their torques are unique all the same, and all is as above. Otherwise the torques of least norm :math:`\sum K_{ii} T_i^2` are
-taken, by the method of multipliers: solve with :math:`K + \rho\,\mathrm{diag} K` in place of K, add :math:`w - K T`
-to w, and again, until T solves the problem itself. That is right for elements that slip too: what is added for them
-presses them to their bounds, and is, like all that velocities of the bed can be, orthogonal to the torques that K does
-not resist. Rounding moves torques by about its share of :math:`\rho` along these; so :math:`\rho` is lowered only
-late, for matrices that are nearly singular besides. Rows that depend on each other agree no better than to the rounding
-of the largest of them, which is what is asked for then.
+as in every gear of a gear set, their torques are unique all the same, and all is as above. Otherwise the torques of
+least norm :math:`\sum K_{ii} T_i^2` are taken, by the method of multipliers: solve with
+:math:`K + \rho\,\mathrm{diag} K` in place of K, add :math:`w - K T` to w, and again, until T solves the problem itself.
+That is right for elements that slip too: what is added for them presses them to their bounds, and is, like all that
+velocities of the bed can be, orthogonal to the torques that K does not resist. Rounding moves torques by about its
+share of :math:`\rho` along these; so :math:`\rho` is lowered only late, for matrices that are nearly singular besides.
+Rows that depend on each other agree no better than to the rounding of the largest of them, which is what is asked for
+then.
 """
 
 from __future__ import annotations
