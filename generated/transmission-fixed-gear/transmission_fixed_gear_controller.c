@@ -54,7 +54,7 @@ const transmission_fixed_gear_controller_params transmission_fixed_gear_controll
     .gearbox_input_torque_ref_rate = 90355.1,
     .M2_speed_gain = 112.5,
     .M2_speed_integral_gain = 703.125,
-    .M1_sensor_inertia_M2 = -0.0313,
+    .M1_sensor_inertia_M2 = -0.01,
     .M1_inertia_estimate = 0.41,
     .M1_feedforward = 1.0,
     .M1_torque_gain = 0.0,
@@ -111,7 +111,7 @@ const transmission_fixed_gear_controller_params transmission_fixed_gear_controll
     .gearbox_input_torque_ref_rate = 90355.1,
     .M2_speed_gain = 112.5,
     .M2_speed_integral_gain = 703.125,
-    .M1_sensor_inertia_M2 = -0.0313,
+    .M1_sensor_inertia_M2 = -0.01,
     .M1_inertia_estimate = 0.41,
     .M1_feedforward = 1.0,
     .M1_torque_gain = 0.0,
@@ -620,8 +620,8 @@ transmission_fixed_gear_controller_status transmission_fixed_gear_controller_ste
     /* net torque on the rotor */
     const transmission_fixed_gear_real M2_net = M2_command - M2_compensation;
     /* testing torque from the sensors (5.95), (5.96), (5.98) */
-    const transmission_fixed_gear_real gearbox_input_torque_estimate = s->M1_unread_M2 * M2_net +
-        gearbox_input_torque_steady;
+    const transmission_fixed_gear_real gearbox_input_torque_estimate = p->M1_sensor_inertia_M2 * s->M2_speed_held *
+        gearbox_ratio_change + s->M1_unread_M2 * M2_net * s->gearbox_ratio_limited + gearbox_input_torque_steady;
     if (s->running <= 0.5) {
         /* the first step, and the first one after a fault, starts anew */
         s->M1_model_torque = gearbox_input_torque_steady;

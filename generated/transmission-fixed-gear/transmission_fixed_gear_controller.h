@@ -55,7 +55,7 @@ typedef struct {
     transmission_fixed_gear_real gearbox_input_torque_ref_rate; /* largest rate of gearbox_input_torque_ref (N m/s) */
     transmission_fixed_gear_real M2_speed_gain; /* proportional gain of the speed of M2 (N m s/rad) */
     transmission_fixed_gear_real M2_speed_integral_gain; /* integral gain of the speed of M2 (N m/rad) */
-    transmission_fixed_gear_real M1_sensor_inertia_M2; /* torque of M1 that its sensors miss, per acceleration of M2 (kg m^2) */
+    transmission_fixed_gear_real M1_sensor_inertia_M2; /* torque of M1 that its sensors miss, per acceleration of M2 times gearbox_ratio (kg m^2) */
     transmission_fixed_gear_real M1_inertia_estimate; /* inertia that M1 accelerates (5.78) (kg m^2) */
     transmission_fixed_gear_real M1_feedforward; /* share of the torque reference fed forward to M1 */
     transmission_fixed_gear_real M1_torque_gain; /* proportional gain of the torque control of M1, above -1 (5.115a) */

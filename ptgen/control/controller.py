@@ -147,7 +147,7 @@ def controller_block(
         estimate = (
             limited[name].present
             + w.virtual_sum(f"{name}_read", law.estimate_virtual[index, :], net)
-            + unread_torque(w, machine, net)
+            + unread_torque(w, machine, net, ratio_rates, measured)
         )
         feedback[index] = torque_feedback(w, index, machine, estimate, given[name], limited[name].present)
     asked = {index: part.virtual for index, part in feedback.items()}

@@ -217,7 +217,8 @@ def _decouple(reduced: ReducedModel, roles: Roles, structure: Structure, losses:
         stiffness=tuple(_natural_stiffness(model, machine) for machine in actuators[:torque_count]),
         feedthrough=tuple(form.f for form in forms.values()),
     )
-    table = {**values, **dict.fromkeys(wishes.damping, 1.0)}
+    # Internal dynamics are those in a gear: ratios rest.
+    table = {**values, **dict.fromkeys(wishes.damping, 1.0), **dict.fromkeys(rates.values(), 0.0)}
     torque_machines = set(actuators[:torque_count])
     rows = SensorRows(reduced.original, model, torque_machines, known)
     balances = rotor_balances(SensorRows(reduced.original, short.model, set(), known))

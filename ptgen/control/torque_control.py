@@ -172,21 +172,46 @@ def torque_command(
     return command
 
 
-def unread_torque(w: ControllerWriter, machine: int, net: Mapping[int, sp.Symbol]) -> sp.Expr:
-    """Return the torque that accelerates what lies between the sensors and the place of the testing torque."""
+def unread_torque(
+    w: ControllerWriter,
+    machine: int,
+    net: Mapping[int, sp.Symbol],
+    rates: Mapping[str, sp.Expr],
+    measured: Mapping[str, sp.Symbol],
+) -> sp.Expr:
+    """Return the torque that accelerates what lies between the sensors and the place of the testing torque.
+
+    Parameters
+    ----------
+    w : ControllerWriter
+    machine : int
+    net : mapping of int to Symbol
+        Torque on the rotor of each speed-controlled machine (N m), by the positions of the outputs.
+    rates : mapping of str to Expr
+        Of the ratios that change (1/s).
+    measured : mapping of str to Symbol
+    """
     name = w.design.machines[machine]
     terms = []
     for position, value in net.items():
         other = w.design.machines[w.design.actuators[position]]
+        ratio = w.gains.sensor_ratio[name].get(other)
         symbol = w.parameter(
             f"{name}_sensor_inertia_{other}",
             "kg m^2",
-            f"torque of {name} that its sensors miss, per acceleration of {other}",
+            f"torque of {name} that its sensors miss, per acceleration of {other}{f' times {ratio}' if ratio else ''}",
             w.gains.sensor_inertia[name][other],
             None,
         )
         per_torque = w.derive(f"{name}_unread_{other}", "", "the same per net torque", symbol / w.rotor(other))
-        terms.append(per_torque * value)
+        if ratio is None:
+            terms.append(per_torque * value)
+            continue
+        now = next(w.of_bed(changing.symbol) for changing in w.design.model.changing if changing.symbol.name == ratio)
+        terms.append(per_torque * now * value)
+        if ratio in rates:
+            speed = measured[w.speed_sensor(w.design.actuators[position])]
+            terms.append(symbol * speed * rates[ratio])
     return sp.Add(*terms)
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import sympy as sp
@@ -56,6 +56,9 @@ class Gains:
     sensor_inertia : mapping of str to mapping of str to float
         Inertia (kg m^2) between sensors and testing torque: for each torque-controlled machine, what has to be added
         to the torque read per acceleration of each speed-controlled machine; (5.97) for all parts of the bed.
+    sensor_ratio : mapping of str to mapping of str to str
+        The changing ratio times which that holds, where the parts between lie on one side of it: their acceleration is
+        the derivative of ratio times speed. Empty where there is none.
     stiffness, natural_frequency : mapping of str to float
         What each torque-controlled machine swings against (N m/rad), and how fast (rad/s) (5.79).
     observer_bandwidth : mapping of str to float
@@ -75,6 +78,7 @@ class Gains:
     damping: Mapping[str, float]
     inertia_estimate: Mapping[str, float]
     sensor_inertia: Mapping[str, Mapping[str, float]]
+    sensor_ratio: Mapping[str, Mapping[str, str]]
     stiffness: Mapping[str, float]
     natural_frequency: Mapping[str, float]
     observer_bandwidth: Mapping[str, float]
@@ -142,6 +146,7 @@ def gains(decoupling: Decoupling, full: Model, tuning: Tuning, modes: tuple[Mode
     inertia = {name: _rounded(inertia[name]) for name in torque_machines}
     frequency = {name: float(np.sqrt(stiffness[name] / inertia[name])) for name in torque_machines}
     drives = {torque.name: torque.drive for torque in full.inputs}
+    missing, ratios = _with_ratios(_sensor_inertia(decoupling, full, steady, rotors), decoupling, full, rotors)
     return Gains(
         speed={name: _rounded(rotors[name] * wanted) for name in speed_machines},
         speed_integral={name: _rounded(rotors[name] * wanted**2 / 4) for name in speed_machines},
@@ -152,7 +157,8 @@ def gains(decoupling: Decoupling, full: Model, tuning: Tuning, modes: tuple[Mode
             for name in torque_machines
         },
         inertia_estimate=inertia,
-        sensor_inertia=_sensor_inertia(decoupling, full, steady, rotors),
+        sensor_inertia=missing,
+        sensor_ratio=ratios,
         stiffness=stiffness,
         natural_frequency=frequency,
         observer_bandwidth=dict.fromkeys(speed_machines, tuning.observer_bandwidth or _rounded(wanted / 4)),
@@ -228,6 +234,26 @@ def _sensor_inertia(
             missing[name] = _rounded(inertia) if abs(inertia) > 1e-7 * rotors[name] else 0.0
         result[decoupling.machines[machine]] = missing
     return result
+
+
+def _with_ratios(
+    missing: dict[str, dict[str, float]], decoupling: Decoupling, full: Model, rotors: Mapping[str, float]
+) -> tuple[dict[str, dict[str, float]], dict[str, dict[str, str]]]:
+    """Divide what is missing by the changing ratio that it grows with; return it, and the names of these ratios."""
+    found = {name: dict(inertias) for name, inertias in missing.items()}
+    names: dict[str, dict[str, str]] = {name: {} for name in missing}
+    for changing in full.changing:
+        ratio, other = changing.value, 2.0 * changing.value
+        parameters = tuple(replace(p, value=other) if p.symbol == changing.symbol else p for p in full.parameters)
+        changed = replace(full, parameters=parameters)
+        design = replace(decoupling, values={**decoupling.values, changing.symbol: other})
+        twice = _sensor_inertia(design, changed, _steady_acceleration(design, changed), rotors)
+        for name, inertias in missing.items():
+            for machine, inertia in inertias.items():
+                if inertia and abs(twice[name][machine] - 2.0 * inertia) <= 1e-4 * abs(inertia):
+                    found[name][machine] = _rounded(inertia / ratio)
+                    names[name][machine] = changing.symbol.name
+    return found, names
 
 
 def _estimates(decoupling: Decoupling) -> list[tuple[int, sp.Symbol]]:
