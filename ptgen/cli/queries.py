@@ -153,13 +153,14 @@ def modal(
 @reported
 def schema(
     part: Annotated[bool, typer.Option("--part", help="The schema of part files instead.")] = False,
+    scenario: Annotated[bool, typer.Option("--scenario", help="The schema of scenario files instead.")] = False,
     as_json: AsJson = True,
 ) -> None:
-    """Print the JSON Schema of test bed files, or of part files, for editors."""
+    """Print the JSON Schema of test bed files, or of part or scenario files, for editors."""
     from ptgen.testbed import json_schema
 
     del as_json  # it is JSON in any case; the option is there because every query has it
-    sys.stdout.write(json.dumps(json_schema("part" if part else "bed"), indent=2) + "\n")
+    sys.stdout.write(json.dumps(json_schema("scenario" if scenario else "part" if part else "bed"), indent=2) + "\n")
 
 
 def _elements(model: Model, lock: Sequence[str], free: Sequence[str], file: str) -> tuple[list[str], list[str]]:

@@ -129,6 +129,7 @@ def parsed_parameters(settings: Sequence[str]) -> dict[str, float]:
 
 def _summary(recording: Recording) -> list[Table | str]:
     from ptgen.report.quantities import readable
+    from ptgen.report.shifts_text import shift_lines
 
     document = recording.summary()
     table = Table("signal", "min", "max", "rms", "final", box=box.SIMPLE_HEAD, pad_edge=False)
@@ -138,4 +139,4 @@ def _summary(recording: Recording) -> list[Table | str]:
         unit = recording.units.get(name, "")
         table.add_row(Text(name), *(readable(numbers[key], unit, 4) for key in ("min", "max", "rms", "final")))
     speed = f"{recording.steps} steps in {recording.wall_s:.3g} s, {recording.realtime_factor:.4g} times real time"
-    return [speed, table]
+    return [speed, *shift_lines(recording.shifts), table]

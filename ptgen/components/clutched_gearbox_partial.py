@@ -12,7 +12,7 @@ from typing import Annotated, ClassVar
 
 from pydantic import field_validator, model_validator
 
-from ptgen.components.component import Component, Flange, Quantity
+from ptgen.components.component import Component, Engagement, Flange, Quantity
 
 __all__ = ["ClutchedGearboxPartial"]
 
@@ -23,6 +23,8 @@ class ClutchedGearboxPartial(Component):
     flanges: ClassVar[tuple[Flange, ...]] = (Flange("input"), Flange("output"))
     ratios: ClassVar[tuple[str, ...]]
     """The keys of the ratios at the start."""
+    clutches: ClassVar[tuple[str, ...]]
+    """The names of the clutches that act through them."""
 
     inertia_input: Annotated[float, Quantity("kg m^2", "moment of inertia I_gbi at the input")]
     inertia_output: Annotated[float, Quantity("kg m^2", "moment of inertia I_gbo at the output")]
@@ -76,6 +78,27 @@ class ClutchedGearboxPartial(Component):
             return self.ratio_range
         ratios = set((self.gears or {}).values())
         return (min(ratios), max(ratios)) if len(ratios) > 1 else None
+
+    def gear_ratios(self) -> Mapping[str, float]:
+        """Return the ratio of each gear."""
+        return self.gears or {}
+
+    def gear_elements(self) -> Mapping[str, tuple[str, ...]]:
+        """Return the clutch of each gear; with several it is the first one that is free."""
+        return {gear: ways[0].elements for gear, ways in self.engagements().items()}
+
+    def engagements(self) -> Mapping[str, tuple[Engagement, ...]]:
+        """Return each gear by way of each clutch whose ratio it can be."""
+        spans, several = self.spans(), len(self.ratios) > 1
+        ways = {
+            gear: tuple(
+                Engagement((clutch,), {key: ratio} if key in spans else {}, preselected=several)
+                for clutch, key in zip(self.clutches, self.ratios, strict=True)
+                if key in spans or getattr(self, key) == ratio
+            )
+            for gear, ratio in (self.gears or {}).items()
+        }
+        return {gear: found for gear, found in ways.items() if found}
 
     def spans(self) -> Mapping[str, tuple[float, float]]:
         """Return the range of each ratio, if they change."""

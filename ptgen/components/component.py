@@ -6,7 +6,7 @@ import types
 import typing
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Annotated, Any, ClassVar
 
 import sympy as sp
@@ -24,7 +24,7 @@ from pydantic_core import core_schema
 from ptgen import units
 from ptgen.elements import Body, Elements, Parameter
 
-__all__ = ["Component", "Flange", "Quantity", "Record", "Switch", "Text", "parameters_of"]
+__all__ = ["Component", "Engagement", "Flange", "Quantity", "Record", "Switch", "Text", "parameters_of"]
 
 
 _LEAST, _MOST = 1e-12, 1e15
@@ -128,6 +128,26 @@ class Flange:
     may_stay_open: bool = False
 
 
+@dataclass(frozen=True)
+class Engagement:
+    """A way in which a component can be in a gear.
+
+    Attributes
+    ----------
+    elements : tuple of str
+        The friction elements that are closed, without the component's name.
+    ratios : mapping of str to float
+        The keys of ratios that these elements act through, and their values in the gear.
+    preselected : bool
+        Whether these ratios are set as soon as a shift begins, while the elements still are open; otherwise they
+        change while nothing is transmitted.
+    """
+
+    elements: tuple[str, ...]
+    ratios: Mapping[str, float] = field(default_factory=dict)
+    preselected: bool = False
+
+
 class Component(Record, ABC):
     """A part of a test bed.
 
@@ -160,6 +180,10 @@ class Component(Record, ABC):
     def gear_elements(self) -> Mapping[str, tuple[str, ...]]:
         """Return the shift elements that stick in each gear, without the component's name; empty if there are none."""
         return {}
+
+    def engagements(self) -> Mapping[str, tuple[Engagement, ...]]:
+        """Return the ways in which each gear can be engaged, best first; empty if a scenario cannot shift it."""
+        return {gear: (Engagement(elements),) for gear, elements in self.gear_elements().items()}
 
     def spans(self) -> Mapping[str, tuple[float, float]]:
         """Return the least and the largest value of the keys that change while the bed runs, such as ``ratio``."""

@@ -41,6 +41,7 @@ class DoubleClutchGearbox(ClutchedGearboxPartial):
     type_name: ClassVar[str] = "double_clutch_gearbox"
     summary: ClassVar[str] = "simplified gearbox with two clutches and changing ratios (model II)"
     ratios: ClassVar[tuple[str, ...]] = ("ratio1", "ratio2")
+    clutches: ClassVar[tuple[str, ...]] = ("clutch1", "clutch2")
 
     type: Literal["double_clutch_gearbox"]
     ratio1: Annotated[float, Quantity("", "input speed over output speed behind the first clutch", signed=True)]
@@ -60,6 +61,6 @@ class DoubleClutchGearbox(ClutchedGearboxPartial):
                 role=FrictionRole.COUPLING,
                 actuated=True,
             )
-            for clutch, ratio in (("clutch1", "ratio1"), ("clutch2", "ratio2"))
+            for clutch, ratio in zip(self.clutches, self.ratios, strict=True)
         )
         return Elements(bodies=self.disk_bodies(name), frictions=tuple(frictions))

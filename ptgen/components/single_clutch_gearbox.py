@@ -40,6 +40,7 @@ class SingleClutchGearbox(ClutchedGearboxPartial):
     type_name: ClassVar[str] = "single_clutch_gearbox"
     summary: ClassVar[str] = "simplified gearbox with one clutch and a changing ratio (model I)"
     ratios: ClassVar[tuple[str, ...]] = ("ratio",)
+    clutches: ClassVar[tuple[str, ...]] = ("clutch",)
 
     type: Literal["single_clutch_gearbox"]
     ratio: Annotated[

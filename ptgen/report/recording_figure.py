@@ -147,6 +147,20 @@ def recording_figure(recording: Recording, project: Project, title: str = "") ->
     set_headline(figure, title or project.testbed.title)
     for axes, panel in zip(grid, drawn, strict=False):
         _draw(axes, panel, recording.time)
+        for shift in recording.shifts:
+            axes.axvspan(shift.start, shift.end, color=LIGHT, alpha=0.6, lw=0, zorder=0)
+    for shift in recording.shifts:
+        place = (shift.start, 1.0)
+        grid[0].annotate(
+            f"{shift.before} to {shift.to}",
+            place,
+            xycoords=grid[0].get_xaxis_transform(),
+            xytext=(2, -9),
+            textcoords="offset points",
+            fontsize=7.5,
+            color=GREY,
+            annotation_clip=True,
+        )
     grid[-1].set_xlabel("time (s)", fontsize=9)
     if len(recording.time) > 1:
         grid[-1].set_xlim(recording.time[0], recording.time[-1])

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import io
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ptgen.files import write_file
+from ptgen.testbed.shift_plan import Shift
 
 __all__ = ["Recording"]
 
@@ -32,6 +33,10 @@ class Recording:
         Time that the steps took (s).
     sample_time : float
         Step (s).
+    gears : mapping of str to str
+        Component that shifts -> its gear at the start.
+    shifts : tuple of Shift
+        The gears that were wanted later on, in the order of time.
     """
 
     time: NDArray[np.float64]
@@ -40,6 +45,8 @@ class Recording:
     steps: int
     wall_s: float
     sample_time: float
+    gears: Mapping[str, str] = field(default_factory=dict)
+    shifts: tuple[Shift, ...] = ()
 
     @property
     def realtime_factor(self) -> float:
@@ -61,11 +68,13 @@ class Recording:
         write_file(path, stream.getvalue())
 
     def summary(self) -> dict[str, Any]:
-        """Return the numbers of the run, and least, largest, rms and last value of every signal."""
+        """Return the numbers of the run, its shifts, and least, largest, rms and last value of every signal."""
         return {
             "steps": self.steps,
             "wall_s": self.wall_s,
             "realtime_factor": self.realtime_factor,
+            "gears": dict(self.gears),
+            "shifts": [asdict(shift) for shift in self.shifts],
             "signals": {
                 name: {
                     "min": float(values.min()),

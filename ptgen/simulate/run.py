@@ -102,6 +102,8 @@ def simulate(
         steps=done,
         wall_s=wall,
         sample_time=sample_time,
+        gears=dict(scenario.gears),
+        shifts=scenario.shifts,
     )
 
 

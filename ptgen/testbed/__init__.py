@@ -5,6 +5,7 @@ from ptgen.testbed.profile import Profile
 from ptgen.testbed.reading import load
 from ptgen.testbed.scenario import Scenario, load_scenario
 from ptgen.testbed.schema import json_schema
+from ptgen.testbed.shift_plan import Shift
 from ptgen.testbed.testbed import Connection, ReductionSettings, Roles, Testbed, Tuning
 
 __all__ = [
@@ -15,6 +16,7 @@ __all__ = [
     "ReductionSettings",
     "Roles",
     "Scenario",
+    "Shift",
     "Testbed",
     "Tuning",
     "json_schema",

@@ -12,6 +12,8 @@ from ptgen.components.component import Quantity, Record, Text
 from ptgen.errors import Problem, TestbedError, nearest
 from ptgen.testbed.problems import dotted, shown, validated
 from ptgen.testbed.profile import Bounds, Points, Profile, Recording, read_profile
+from ptgen.testbed.shift_plan import Shift
+from ptgen.testbed.shifts import read_shifts
 from ptgen.testbed.testbed import Testbed
 from ptgen.testbed.text import read_toml
 
@@ -56,6 +58,10 @@ class Scenario:
         ratio of the bed file.
     title, description : str
         What it shows.
+    gears : mapping of str to str
+        Component that shifts -> its gear at the start; ``"N"`` is neutral.
+    shifts : tuple of Shift
+        In the order of time; their courses are part of `actuations` and `ratios`.
     """
 
     name: str
@@ -68,6 +74,8 @@ class Scenario:
     title: str = ""
     description: str = ""
     ratios: Mapping[str, Profile] = field(default_factory=dict)
+    gears: Mapping[str, str] = field(default_factory=dict)
+    shifts: tuple[Shift, ...] = ()
 
 
 class ScenarioSection(Record):
@@ -96,7 +104,7 @@ def load_scenario(path: str | PathLike[str], testbed: Testbed) -> Scenario:
     """
     document = read_toml(path, "scenario file")
     tables = document.tables
-    known = ("scenario", "references", "actuations", "ratios")
+    known = ("scenario", "references", "actuations", "ratios", "gears", "shifts")
     problems = [
         Problem(dotted(key), "is an unknown section", nearest(key, known)) for key in tables if key not in known
     ]
@@ -116,6 +124,15 @@ def load_scenario(path: str | PathLike[str], testbed: Testbed) -> Scenario:
     problems += found
     ratios, found = _ratios(tables.get("ratios", {}), testbed, folder)
     problems += found
+    duration = None if section is None else section.duration
+    plan, found = read_shifts(tables.get("gears"), tables.get("shifts"), testbed, folder, duration)
+    problems += found
+    problems += _given_twice(
+        "actuations", tables.get("actuations"), {f.name for f in testbed.frictions}, plan.actuations
+    )
+    problems += _given_twice("ratios", tables.get("ratios"), set(testbed.ratios), plan.ratios)
+    given = _given(tables.get("ratios"), set(testbed.ratios))
+    control = {name: profile for name, profile in plan.control.items() if name not in given}
     if problems or section is None:
         raise TestbedError(problems, document.file)
     return Scenario(
@@ -125,11 +142,35 @@ def load_scenario(path: str | PathLike[str], testbed: Testbed) -> Scenario:
         duration=section.duration,
         record_every=section.record_every,
         references=references,
-        actuations=actuations,
-        ratios=ratios,
+        actuations={**actuations, **plan.actuations},
+        ratios={**ratios, **control, **plan.ratios},
         title=section.title,
         description=section.description,
+        gears=plan.gears,
+        shifts=plan.shifts,
     )
+
+
+def _given(table: object, known: set[str]) -> dict[str, str]:
+    """Return the entries of a section, by name, with the place where each stands."""
+    if not isinstance(table, dict):
+        return {}
+    section = "actuations"
+    return {".".join(path): dotted(section, *path).removeprefix(section) for path, _ in _entries(table, known)}
+
+
+def _given_twice(section: str, table: object, known: set[str], planned: Mapping[str, Profile]) -> list[Problem]:
+    """Return the entries of a section that gears and shifts set as well."""
+    return [
+        Problem(
+            f"{section}{place}",
+            f'is set by the gears and shifts of "{name.partition(".")[0]}"',
+            "remove it here"
+            + (", or give it a course inside a shift, with elements in [[shifts]]" if section == "actuations" else ""),
+        )
+        for name, place in _given(table, known).items()
+        if name in planned
+    ]
 
 
 def _grid(section: ScenarioSection, sample_time: float) -> list[Problem]:

@@ -15,6 +15,9 @@ from ptgen.testbed.governor_settings import GovernorSettings
 from ptgen.testbed.names import PATTERN
 from ptgen.testbed.parts import PartSection
 from ptgen.testbed.problems import quantity_field
+from ptgen.testbed.profile import Points, Recording
+from ptgen.testbed.scenario import ScenarioSection
+from ptgen.testbed.shifts import ShiftSection
 from ptgen.testbed.testbed import ReductionSettings, Tuning
 
 __all__ = ["BedFile", "BedSection", "ControlSection", "PartFile", "json_schema"]
@@ -75,8 +78,30 @@ class PartFile(Record):
     """The shift table: the elements that are engaged in each gear."""
 
 
-def json_schema(kind: Literal["bed", "part"] = "bed") -> dict[str, Any]:
-    """Return the JSON Schema (draft 2020-12) of test bed files, or of part files.
+_Course = Points | Recording
+
+
+class ScenarioFile(Record):
+    """A scenario: what references, clutches, brakes and gears of a bed do over time."""
+
+    scenario: ScenarioSection
+    references: dict[str, dict[str, _Course]] = Field(default_factory=dict)
+    """Kind of reference, such as torque or speed, and machine = its course."""
+    actuations: dict[str, _Course | dict[str, _Course]] = Field(default_factory=dict)
+    """Friction element = how far it is pressed, 0 to 1."""
+    ratios: dict[str, _Course | dict[str, _Course]] = Field(default_factory=dict)
+    """Gearbox = its ratio."""
+    gears: dict[str, str] = Field(default_factory=dict)
+    """Component = its gear at the start."""
+    shifts: tuple[ShiftSection, ...] = ()
+    """Shifts, each a table [[shifts]]."""
+
+
+_FILES: dict[str, type[Record]] = {"bed": BedFile, "part": PartFile, "scenario": ScenarioFile}
+
+
+def json_schema(kind: Literal["bed", "part", "scenario"] = "bed") -> dict[str, Any]:
+    """Return the JSON Schema (draft 2020-12) of test bed files, of part files, or of scenario files.
 
     Examples
     --------
@@ -84,15 +109,17 @@ def json_schema(kind: Literal["bed", "part"] = "bed") -> dict[str, Any]:
     ['components', 'control', 'governor', 'reduction', 'testbed']
     >>> sorted(json_schema("part")["properties"])
     ['components', 'gears', 'members', 'part']
+    >>> sorted(json_schema("scenario")["properties"])
+    ['actuations', 'gears', 'ratios', 'references', 'scenario', 'shifts']
     """
-    file: type[Record] = BedFile if kind == "bed" else PartFile
-    schema: dict[str, Any] = file.model_json_schema()
+    schema: dict[str, Any] = _FILES[kind].model_json_schema()
     for section in ("components", "members"):
         if section in schema["properties"]:
             tables = schema["properties"][section]
             tables["patternProperties"] = {PATTERN: tables.pop("additionalProperties")}
             tables["additionalProperties"] = False
-    schema["properties"]["components"]["minProperties"] = 1
+    if "components" in schema["properties"]:
+        schema["properties"]["components"]["minProperties"] = 1
     for section in ("reduction", "governor"):
         schema["properties"].get(section, {}).pop("default", None)
     _simplify(schema)
@@ -101,8 +128,8 @@ def json_schema(kind: Literal["bed", "part"] = "bed") -> dict[str, Any]:
 
 def _simplify(schema: dict[str, Any]) -> None:
     """Write defaults of quantities with their unit, and leave out what a TOML file cannot hold."""
-    sections = (BedSection, ControlSection, ReductionSettings, GovernorSettings, PartSection, Member)
-    pending: list[type[Record]] = [*CATALOGUE.values(), Part, *sections]
+    pending: list[type[Record]] = [*CATALOGUE.values(), Part, BedSection, ControlSection, ReductionSettings]
+    pending += [GovernorSettings, PartSection, Member, ScenarioSection, ShiftSection, Points, Recording]
     seen: set[type[Record]] = set()
     while pending:
         record = pending.pop()
