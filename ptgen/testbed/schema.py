@@ -20,7 +20,7 @@ from ptgen.testbed.scenario import ScenarioSection
 from ptgen.testbed.shifts import ShiftSection
 from ptgen.testbed.testbed import ReductionSettings, Tuning
 
-__all__ = ["BedFile", "BedSection", "ControlSection", "PartFile", "json_schema"]
+__all__ = ["BedFile", "BedSection", "ControlSection", "PartFile", "ScenarioFile", "json_schema"]
 
 
 class BedSection(Record):
