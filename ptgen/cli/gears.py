@@ -36,13 +36,21 @@ def gears(
     every: Annotated[
         bool, typer.Option("--all", help="Show every combination of shift elements, tie-ups and neutrals too.")
     ] = False,
+    simplify: Annotated[
+        str | None,
+        typer.Option(
+            "--simplify",
+            metavar="GEAR[,GEAR]",
+            help="Print simplified gearboxes (models I and II) of one or two gears.",
+        ),
+    ] = None,
     plot: Annotated[
         Path | None, typer.Option("--plot", metavar="FIGURE", help="Draw the lever diagram (.svg, .png or .pdf).")
     ] = None,
     as_json: AsJson = False,
 ) -> None:
     """Find gears, neutrals and tie-ups of a gear set; ratios as formulas, speeds, torques, losses, changes."""
-    from ptgen.gears import analyse_gears, layout_of_part
+    from ptgen.gears import analyse_gears, layout_of_part, simplified_gearbox
     from ptgen.report.figures import check_figure, save_figure
 
     if plot is not None:
@@ -57,6 +65,21 @@ def gears(
         from ptgen.report.gears_figure import lever_figure
 
         save_figure(lever_figure(found, chosen), plot)
+    if simplify is not None:
+        for option, given in (("--gear", gear), ("--all", every), ("--plot", plot)):
+            if given:
+                what = f"{option} and --simplify show different things"
+                raise RunError(Problem(option, what, "leave one of them out"), str(file))
+        box = simplified_gearbox(found, [name.strip() for name in simplify.split(",")])
+        if as_json:
+            from ptgen.report.gears_simplified import simplified_json
+
+            print_json(simplified_json(box))
+        else:
+            from ptgen.report.gears_simplified import simplified_text
+
+            print_parts(simplified_text(box, component or "gears"))
+        return
     if as_json:
         from ptgen.report.gears_plain import gear_json, gears_json
 

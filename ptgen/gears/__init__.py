@@ -6,16 +6,20 @@ from ptgen.gears.gear import Gear
 from ptgen.gears.joined import layout_of, layout_of_part
 from ptgen.gears.layout import Layout
 from ptgen.gears.shift_table import gear_ratios, shift_table_problems
+from ptgen.gears.simplified import SimplifiedClutch, SimplifiedGearbox, simplified_gearbox
 
 __all__ = [
     "Combination",
     "Gear",
     "GearAnalysis",
     "Layout",
+    "SimplifiedClutch",
+    "SimplifiedGearbox",
     "State",
     "analyse_gears",
     "gear_ratios",
     "layout_of",
     "layout_of_part",
     "shift_table_problems",
+    "simplified_gearbox",
 ]

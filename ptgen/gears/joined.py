@@ -108,6 +108,7 @@ class _Builder:
         self.prefix = prefix
         self.values = {symbol: exact(value) for symbol, value in values.items()}
         self.frictions = elements.frictions
+        self.bodies = elements.bodies
         pressed = [f for f in elements.frictions if f.role is FrictionRole.COUPLING and not (f.actuated or f.one_way)]
         rows = [
             *elements.constraints,
@@ -144,7 +145,25 @@ class _Builder:
             for friction in self.frictions
             if friction.role is FrictionRole.COUPLING and (friction.actuated or friction.one_way)
         ]
-        return Layout(title, tuple(flanges), flanges, names[ends[0]], names[ends[1]], trains, tuple(shift))
+        return Layout(
+            title,
+            tuple(flanges),
+            flanges,
+            names[ends[0]],
+            names[ends[1]],
+            trains,
+            tuple(shift),
+            self._inertias(names),
+            tuple(self._short(f.name) for f in self.frictions if f.role is not FrictionRole.COUPLING),
+        )
+
+    def _inertias(self, names: Mapping[str, str]) -> dict[str, Fraction]:
+        sums: dict[str, Fraction] = {}
+        for body in self.bodies:
+            if body.velocity in names:  # a body that hangs on a friction element alone is on no member
+                member = names[body.velocity]
+                sums[member] = sums.get(member, Fraction(0)) + self._number(body.inertia)
+        return {member: inertia for member, inertia in sums.items() if inertia}
 
     def _short(self, name: str) -> str:
         return name.removeprefix(self.prefix)
@@ -159,8 +178,16 @@ class _Builder:
         for velocity, coefficient in friction.row.items():
             member = names[velocity]
             row[member] = row.get(member, Fraction(0)) + self._number(coefficient)
-        kept = {member: number for member, number in row.items() if number}
-        return ShiftElement(self._short(friction.name), kept, float(self._number(friction.coulomb)), friction.one_way)
+        static, speed = friction.static, friction.stribeck_speed
+        return ShiftElement(
+            self._short(friction.name),
+            {member: number for member, number in row.items() if number},
+            float(self._number(friction.coulomb)),
+            friction.one_way,
+            None if static is None else float(self._number(static)),
+            None if speed is None else float(self._number(speed)),
+            float(self._number(friction.viscous)),
+        )
 
     def _trains(self, names: Mapping[str, str]) -> tuple[Train, ...]:
         found = [_read_row(row, {velocity: self._number(c) for velocity, c in row.row.items()}) for row in self.rows]

@@ -13,7 +13,7 @@ engaged. Ratios are symbols :math:`g_1, g_2, \ldots` and :math:`i_1, i_2, \ldots
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import Enum
 from fractions import Fraction
 
@@ -98,12 +98,21 @@ class ShiftElement:
         Torque that it transmits while it slips, fully actuated (N m).
     one_way : bool
         Whether it is a freewheel, which holds one sense of torque only.
+    static : float or None
+        Torque that it holds while it sticks, fully actuated (N m); None if it is the capacity.
+    stribeck_speed : float or None
+        Velocity over which the torque falls from `static` to the capacity (rad/s); None if it falls at once.
+    viscous : float
+        Viscous friction, fully actuated (N m s/rad).
     """
 
     name: str
     row: Mapping[str, Fraction]
     capacity: float
     one_way: bool = False
+    static: float | None = None
+    stribeck_speed: float | None = None
+    viscous: float = 0.0
 
     @property
     def is_brake(self) -> bool:
@@ -126,6 +135,10 @@ class Layout:
         The members that the gears connect.
     trains : tuple of Train
     elements : tuple of ShiftElement
+    inertias : mapping of str to Fraction
+        Member -> moment of inertia of all bodies on it (kg m^2); without those that have none.
+    losses : tuple of str
+        Friction elements that are no shift elements.
     """
 
     title: str
@@ -135,6 +148,8 @@ class Layout:
     output: str
     trains: tuple[Train, ...]
     elements: tuple[ShiftElement, ...]
+    inertias: Mapping[str, Fraction] = field(default_factory=dict)
+    losses: tuple[str, ...] = ()
 
     @property
     def values(self) -> dict[sp.Symbol, Fraction]:

@@ -137,3 +137,41 @@ def test_element_that_can_never_matter_is_a_problem_of_the_file(cli, root: Path,
     told = cli("gears", part, code=2).stderr
     assert "components.X: can never matter: no gear of Nine-speed automatic transmission needs X" in told
     assert "remove it" in told
+
+
+PASTED = """
+[testbed]
+name = "rig"
+sample_time = "100 us"
+connections = ["M1 - gears - shaft - M2"]
+[components.shaft]
+type = "shaft"
+stiffness = "20 kN m/rad"
+{machines}
+[control]
+speed = ["M1", "M2"]
+"""
+
+
+def test_tables_of_simplified_gearboxes_can_be_pasted(cli, tmp_path):
+    machines = "[components.M1]" + BED.split("[components.M1]")[1].split("[control]")[0]
+    text = cli("gears", NINE, "--simplify", "1,2").stdout
+    assert "1: B slips with -1.53618 (w_in - 5.50322 w_out)" in text
+    assert "left out: the coupling" in text
+    first, *tables = text.split("[components.gears]")
+    for table in tables:
+        bed = tmp_path / "bed.toml"
+        bed.write_text(f"{PASTED.format(machines=machines)}[components.gears]{table}")
+        cli("show", str(bed))
+    box = cli.json("gears", NINE, "--simplify", "1,2")
+    assert box["components"]["double_clutch_gearbox"]["ratio1"] == pytest.approx(5.503, abs=5e-4)
+    assert box["exact"] is True
+    assert first.startswith("# Nine-speed")
+
+
+def test_pairs_without_two_positive_inertias_and_wrong_pairs_are_said(cli):
+    text = cli("gears", NINE, "--simplify", "7,6").stdout
+    assert "cannot be exact in both gears" in text
+    assert "of the models +11 %" in text
+    assert "R, 2, 3, 4, 7" in cli("gears", NINE, "--simplify", "1,6", code=2).stderr
+    assert "--gear and --simplify" in cli("gears", NINE, "--simplify", "1,2", "--gear", "1", code=2).stderr
