@@ -231,6 +231,13 @@ def _check_settings(mechanism: Mechanism, settings: ReductionSettings) -> None:
             what = f'"{name}" is no friction element of this bed'
             remedy = nearest(name, frictions) if frictions else "remove it: the bed has none"
             problems.append(Problem("reduction.locked", what, remedy))
+    changing = {parameter.symbol: parameter.owner for parameter in mechanism.changing}
+    for friction in mechanism.frictions:
+        symbols = set().union(*(sp.sympify(entry).free_symbols for entry in friction.row.values()))
+        owner = next((name for symbol, name in changing.items() if symbol in symbols), None)
+        if friction.name in settings.locked and owner is not None:
+            what = f'"{friction.name}" acts through a ratio that changes at run time'
+            problems.append(Problem("reduction.locked", what, f'write as_ratio = ["{owner}"] in [reduction] instead'))
     if problems:
         raise ModelError(problems)
 

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from ptgen.errors import Problem, TestbedError
+from ptgen.errors import ModelError, Problem, TestbedError
 from ptgen.project import Project
 from ptgen.simulate.run import simulate
 from ptgen.testbed import Profile, Scenario, load, load_scenario
@@ -141,6 +141,15 @@ def test_constant_gearboxes_have_no_ratio_to_change(tmp_path: Path) -> None:
     )
     with pytest.raises(TestbedError, match="is constant"):
         load_scenario(tmp_path / "case.toml", testbed)
+
+
+def test_control_with_a_locked_clutch_wants_a_ratio_instead(tmp_path: Path) -> None:
+    text = BED + '[reduction]\nlocked = ["gb.clutch1"]\n'
+    (tmp_path / "bed.toml").write_text(text, encoding="utf-8")
+    with pytest.raises(ModelError) as caught:
+        _ = Project.read(tmp_path / "bed.toml").reduced
+    (problem,) = caught.value.problems
+    assert problem.where == "reduction.locked" and 'as_ratio = ["gb"]' in problem.remedy
 
 
 def test_modes_are_those_of_the_ratios_at_the_start(project: Project, tmp_path: Path) -> None:

@@ -129,6 +129,50 @@ def test_run_tells_its_shifts(folder: Path) -> None:
     assert "2 to 1" in {text.get_text() for axes in figure.axes for text in axes.texts}
 
 
+NINE = """type = "part"
+file = "nine-speed.toml"
+"""
+GEARS = (*"123456789", "R")
+UP = """
+[scenario]
+duration = "6.5 s"
+record_every = "1 ms"
+[references]
+torque.M1 = { time = ["0.1 s", "0.2 s"], value = ["0 N m", "60 N m"] }
+speed.M2 = { time = ["0 s", "0.4 s", "5.2 s", "5.4 s"], value = ["0 rpm", "100 rpm", "100 rpm", "0 rpm"] }
+[gears]
+gb = "1"
+"""
+
+
+def test_nine_speed_goes_through_all_gears_and_reverse(folder: Path) -> None:
+    """Each gear has the ratio of its table at the end, whatever sticks and slips on the way there."""
+    own = BED[BED.index("inertia_input") :]
+    roles = '[control]\ntorque = { M1 = "gb.input" }\nspeed = ["M2"]\n[reduction]\nas_ratio = ["gb"]\n'
+    flanges = "".join(
+        f'[components.flange{k}]\ntype = "torque_flange"\ninertia = "0.03 kg m^2"\nstiffness = "380 kN m/rad"\n'
+        for k in (1, 2)
+    )
+    text = BED.replace(own, NINE).replace("M1 - shaft1", "M1 - flange1 - shaft1").replace("- M2", "- flange2 - M2")
+    (folder / "nine.toml").write_text(text + flanges + roles, encoding="utf-8")
+    bed = Project.read(folder / "nine.toml")
+    course = UP + "".join(
+        f'[[shifts]]\ncomponent = "gb"\ntime = "{0.6 * k:g} s"\nto = "{gear}"\n'
+        for k, gear in enumerate(GEARS[1:], start=1)
+    )
+    (folder / "up.toml").write_text(course, encoding="utf-8")
+    recording = simulate(bed, load_scenario(folder / "up.toml", bed.testbed))
+    ratios = bed.testbed.gear_tables["gb"].gears
+    assert set(ratios) == set(GEARS)
+    assert np.all(recording.signals["fault"] == 0)
+    first, second = (recording.signals[f"{machine}_speed"] for machine in ("M1", "M2"))
+    for k, gear in enumerate(GEARS[:-1]):
+        at = 600 * (k + 1) - 5
+        assert first[at] == pytest.approx(ratios[gear] * second[at], rel=0.02), gear
+    engaged = bed.testbed.components["gb"].gear_elements()["R"]
+    assert all(recording.signals[f"gb_{element}_actuation"][-1] == 1.0 for element in engaged)
+
+
 def test_command_line_lists_shifts(folder: Path) -> None:
     bed = project(SINGLE, folder).testbed.file
     (folder / "case.toml").write_text(HEAD, encoding="utf-8")
