@@ -9,6 +9,8 @@ Equations
     .. math:: \omega_k = \omega_j \quad\text{(rigid)}, \qquad
               T_j = c\,(\varphi_k - \varphi_j) + d\,(\omega_k - \omega_j) \quad\text{(flexible)} \qquad (3.46)
 
+    A member that is held belongs to the housing: :math:`\omega_k = 0`.
+
     The rigid model of a gear set with friction elements is (3.42); it comes out of the assembly, like that of any bed.
     In the flexible model the joints of members with a stiffness give way where the flange that they hold has an
     inertia, as in (3.45).
@@ -27,9 +29,9 @@ from dataclasses import dataclass, field, replace
 from typing import Annotated, Any, ClassVar, Literal
 
 import sympy as sp
-from pydantic import Field
+from pydantic import Field, model_validator
 
-from ptgen.components.component import Component, Flange, Quantity, Record, parameters_of
+from ptgen.components.component import Component, Flange, Quantity, Record, Switch, parameters_of
 from ptgen.elements import Body, Constraint, Elements, Parameter, Place, Row, Spring
 
 __all__ = ["Member", "Part", "PartDescription"]
@@ -40,9 +42,17 @@ class Member(Record):
 
     joins: tuple[str, ...]
     """The flanges that it joins, such as "P1.sun"; a component with one flange, or with a single free side, by name."""
+    held: Switch = False
+    """Whether it is a part of the housing, so that it stands still."""
     inertia: Annotated[float, Quantity("kg m^2", "moment of inertia of the member")] | None = None
     stiffness: Annotated[float, Quantity("N m/rad", "stiffness of each joint in the flexible model")] | None = None
     damping: Annotated[float, Quantity("N m s/rad", "damping of each joint in the flexible model")] | None = None
+
+    @model_validator(mode="after")
+    def _held_without_inertia(self) -> Member:
+        if self.held and self.inertia is not None:
+            raise ValueError("inertia has no effect on what is held; remove it, or held")
+        return self
 
 
 @dataclass(frozen=True)
@@ -165,6 +175,11 @@ class Part(Component):
             Constraint(name, {flange: sp.Integer(1), inside: sp.Integer(-1)})
             for flange, inside in own.items()
             if flange != inside
+        ]
+        links += [
+            Constraint(f"{name}.{member}", {f"{name}.{member}": sp.Integer(1)})
+            for member, record in self.description.members.items()
+            if record.held
         ]
         return Elements(
             internal=tuple(velocity for velocity in velocities if velocity not in own),

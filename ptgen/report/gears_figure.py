@@ -22,12 +22,14 @@ if TYPE_CHECKING:
 
 __all__ = ["lever_figure", "lever_positions"]
 
-_PANEL = 3.1
-"""Width of a panel (inches)."""
+_PANEL, _PANEL_AXIS = 3.1, 2.6
+"""Width of a panel and of its axis (inches)."""
+_MEMBERS, _MEMBERS_AXIS = 8.0, 7.0
+"""Width of the figure of a gear set without planetary sets, and of its axis (inches)."""
 _SAME = 0.008
 """Speeds nearer than this share of the axis are one."""
-_CHARACTER = 0.03
-"""Width of a character as a share of the axis of a panel."""
+_CHARACTER = 0.078
+"""Width of a character (inches)."""
 _CLEAR = {"facecolor": "white", "edgecolor": "none", "pad": 0.6, "alpha": 0.85}
 """What lies behind a text."""
 
@@ -65,7 +67,7 @@ def lever_figure(found: GearAnalysis, gear: Gear | None = None) -> Figure:
     colours = _colours(found, gears)
     title = f"{found.layout.title}: speeds in {'all gears' if gear is None else f'gear {gear.name}'}"
     if not sets:
-        figure = new_figure(8.0, 0.38 * len(found.layout.members) + 1.8)
+        figure = new_figure(_MEMBERS, 0.38 * len(found.layout.members) + 1.8)
         _draw_members(figure.subplots(), found, gears, colours)
         set_headline(figure, title)
         return figure
@@ -112,17 +114,18 @@ def _draw_set(
     axes.axvline(1.0, color=GREY, lw=0.9, ls=(0, (3, 3)), zorder=2)
     low, high = min(heights, key=lambda f: heights[f]), max(heights, key=lambda f: heights[f])
     ends: dict[str, list[tuple[float, str]]] = {low: [], high: []}
+    order = [gear.name for gear in gears]
     for gear in gears:
         speeds = {flange: gear.speeds[member].value for flange, member in train.members.items()}
         if any(value is None for value in speeds.values()):
             continue
-        order = sorted(heights, key=lambda f: heights[f])
-        xs = [float(speeds[flange] or 0) for flange in order]
-        axes.plot(xs, [heights[f] for f in order], color=colours[gear.name], lw=1.7, marker="o", ms=3.5, zorder=3)
+        upwards = sorted(heights, key=lambda f: heights[f])
+        xs = [float(speeds[flange] or 0) for flange in upwards]
+        axes.plot(xs, [heights[f] for f in upwards], color=colours[gear.name], lw=1.7, marker="o", ms=3.5, zorder=3)
         for flange in ends:
             ends[flange].append((float(speeds[flange] or 0), gear.name))
         if len(gears) == 1:
-            for flange, x in zip(order, xs, strict=True):
+            for flange, x in zip(upwards, xs, strict=True):
                 axes.annotate(
                     number_text(x),
                     (x, heights[flange]),
@@ -135,7 +138,7 @@ def _draw_set(
                 )
     if len(gears) > 1:
         for flange, above in ((high, True), (low, False)):
-            _label(axes, ends[flange], heights[flange], limits[1] - limits[0], above=above)
+            _label(axes, ends[flange], heights[flange], (limits[1] - limits[0], _PANEL_AXIS), order, above=above)
     axes.set_xlim(*limits)
     axes.set_ylim(-0.27, 1.27)
     axes.set_yticks(list(heights.values()), [_flange_label(train, flange) for flange in heights], fontsize=8.5)
@@ -151,9 +154,20 @@ def _flange_label(train: Train, flange: str) -> str:
     return f"{flange[0].upper()}  {train.members[flange]}"
 
 
-def _label(axes: Axes, ends: Sequence[tuple[float, str]], height: float, width: float, *, above: bool) -> None:
-    """Write the names of gears at the ends of their lines; in several rows, where they would meet."""
-    order = [name for _, name in ends]
+def _label(
+    axes: Axes,
+    ends: Sequence[tuple[float, str]],
+    height: float,
+    span: tuple[float, float],
+    order: Sequence[str],
+    *,
+    above: bool,
+) -> None:
+    """Write the names of gears at the ends of their lines; in several rows, where they would meet.
+
+    `span` is the range of the axis and its length (inches), `order` the names of all gears.
+    """
+    width, length = span
     groups: list[tuple[float, list[str]]] = []
     for x, name in sorted(ends, key=lambda end: end[0]):
         if groups and x - groups[-1][0] < _SAME * width:
@@ -163,7 +177,7 @@ def _label(axes: Axes, ends: Sequence[tuple[float, str]], height: float, width: 
     taken: list[float] = []
     for x, names in groups:
         text = _runs(names, order)
-        half = 0.5 * _CHARACTER * width * (len(text) + 0.6)
+        half = 0.5 * _CHARACTER * width / length * (len(text) + 0.6)
         row = next((k for k, edge in enumerate(taken) if edge <= x - half), len(taken))
         taken[row : row + 1] = [x + half]
         offset = 5 + 10 * row
@@ -213,7 +227,11 @@ def _draw_members(axes: Axes, found: GearAnalysis, gears: Sequence[Gear], colour
         ends = [(float(value), gear.name) for gear, value in known if value is not None]
         for x, name in ends:
             axes.plot([x], [row], marker="o", ms=6, color=colours[name], zorder=3)
-        _label(axes, ends, row, max(1.0, _span(gears, members)), above=False)
+        if len(gears) == 1:
+            for x, _ in ends:
+                axes.annotate(number_text(x), (x, row), (5, 4), textcoords="offset points", fontsize=8.5, color=INK)
+            continue
+        _label(axes, ends, row, (_span(gears, members), _MEMBERS_AXIS), [gear.name for gear in gears], above=False)
     axes.set_yticks(range(len(members)), members, fontsize=8.5)
     axes.invert_yaxis()
     axes.set_ylim(len(members) - 0.3, -0.6)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING
@@ -20,8 +21,12 @@ _CLEAR = {"facecolor": "white", "edgecolor": "none", "pad": 0.6, "alpha": 0.85}
 
 Node = tuple[float, float]
 
-_REACH = 0.3
-"""How far the arms of elements reach from a lever, as a share of the distance of levers."""
+_REACH = 0.22
+"""How far brakes are from a lever, as a share of the distance of levers."""
+_RISES = (0.0, -0.1, 0.1, -0.18, 0.18)
+"""How far brakes may be below or above the point that they hold, as a share of the lever."""
+_ROOM = 0.16
+"""Room that a brake takes."""
 
 
 def draw_schematic(
@@ -55,16 +60,27 @@ def draw_schematic(
             axes.annotate(
                 flange[0].upper(), (x, height), (7, 4), textcoords="offset points", fontsize=9, color=INK, zorder=6
             )
+    lines = [(node, node) for own in nodes.values() for node in own]
     for member, own in nodes.items():
         own.sort()
+        lines += list(pairwise(own))
         _draw_member(axes, member, own)
     for name, outward in ((layout.input, False), (layout.output, True)):
         if name in nodes:
             _draw_end(axes, nodes[name][-1 if outward else 0], outward=outward, last=len(sets) - 1)
     engaged = layout.element_names if gear is None else gear.engaged
-    used: dict[Node, int] = {}
-    for element in layout.elements:
-        _draw_element(axes, element, nodes, used, element.name in engaged)
+    clutches = {element.name: _nearest(element, nodes) for element in layout.elements if not element.is_brake}
+    for name, ends in clutches.items():
+        if ends is not None:
+            lines.append(ends)
+            _draw_clutch(axes, name, *ends, *_pen(name in engaged))
+    brakes = [(element.name, next(iter(element.row))) for element in layout.elements if element.is_brake]
+    held = [("", next(iter(train.members.values()))) for train in layout.trains if len(train.members) == 1]
+    for name, member in (*brakes, *held):
+        if member in nodes:
+            node, end = _free_place(nodes[member], lines)
+            lines.append((node, end))
+            _draw_brake(axes, name, node, end, *_pen(not name or name in engaged))
     axes.set_xlim(-0.75, len(sets) - 0.25)
     axes.set_ylim(-0.38, 1.45)
     axes.set_axis_off()
@@ -108,37 +124,51 @@ def _draw_end(axes: Axes, node: Node, *, outward: bool, last: int) -> None:
     )
 
 
-def _draw_element(
-    axes: Axes, element: ShiftElement, nodes: Mapping[str, list[Node]], used: dict[Node, int], engaged: bool
-) -> None:
-    colour = INK if engaged else GREY
-    width = 1.8 if engaged else 1.1
+def _pen(engaged: bool) -> tuple[str, float]:
+    """Return colour and width of the lines of an element."""
+    return (INK, 1.8) if engaged else (GREY, 1.1)
+
+
+def _nearest(element: ShiftElement, nodes: Mapping[str, list[Node]]) -> tuple[Node, Node] | None:
+    """Return the nearest two points of the members that a clutch couples; None if one of them is on no lever."""
     ends = [nodes[member] for member in element.row if member in nodes]
-    if element.is_brake and ends:
-        node = min(ends[0], key=lambda own: (used.get(own, 0), own[0]))
-        used[node] = used.get(node, 0) + 1
-        _draw_brake(axes, element.name, node, used[node], colour, width)
-    elif len(ends) == 2:
-        first, second = min(
-            ((a, b) for a in ends[0] for b in ends[1]),
-            key=lambda pair: (abs(pair[0][0] - pair[1][0]), abs(pair[0][1] - pair[1][1])),
-        )
-        _draw_clutch(axes, element.name, first, second, colour, width)
+    if len(ends) != 2:
+        return None
+    pairs = ((a, b) for a in ends[0] for b in ends[1])
+    return min(pairs, key=lambda pair: (abs(pair[0][0] - pair[1][0]), abs(pair[0][1] - pair[1][1])))
 
 
-def _draw_brake(axes: Axes, name: str, node: Node, count: int, colour: str, width: float) -> None:
-    """Draw an arm to the housing, left of the lever and below it for every further one."""
-    x, y = node
-    end = (x - _REACH, y - 0.1 * count)
-    axes.plot([x, x - 0.12, end[0]], [y, end[1], end[1]], color=colour, lw=width, zorder=2)
+def _free_place(nodes: Sequence[Node], lines: Sequence[tuple[Node, Node]]) -> tuple[Node, Node]:
+    """Return a point of a member, and where a brake on it is farthest from everything else."""
+    places = [
+        (node, (node[0] + side * _REACH, node[1] + rise)) for node in nodes for side in (-1, 1) for rise in _RISES
+    ]
+
+    def room(place: tuple[Node, Node]) -> float:
+        x, y = place[1]
+        return min(_distance((x + shift, y), line) for line in lines for shift in (-0.06, 0.0, 0.06))
+
+    return max(places, key=lambda place: (round(min(room(place), _ROOM), 3), -abs(place[1][1] - place[0][1])))
+
+
+def _distance(point: Node, line: tuple[Node, Node]) -> float:
+    (x, y), ((x1, y1), (x2, y2)) = point, line
+    along = (x2 - x1) ** 2 + (y2 - y1) ** 2
+    share = 0.0 if along == 0 else min(1.0, max(0.0, ((x - x1) * (x2 - x1) + (y - y1) * (y2 - y1)) / along))
+    return math.hypot(x - x1 - share * (x2 - x1), y - y1 - share * (y2 - y1))
+
+
+def _draw_brake(axes: Axes, name: str, node: Node, end: Node, colour: str, width: float) -> None:
+    """Draw an arm from a point of a lever to the housing."""
+    side = 1 if end[0] > node[0] else -1
+    axes.plot([node[0], node[0] + 0.4 * (end[0] - node[0]), end[0]], [node[1], end[1], end[1]], color=colour, lw=width)
+    axes.plot([end[0], end[0]], [end[1] - 0.07, end[1] + 0.07], color=colour, lw=width)
     for k in range(4):
-        height = end[1] - 0.06 + 0.04 * k
-        axes.plot([end[0] - 0.03, end[0]], [height - 0.03, height], color=colour, lw=0.9, zorder=2)
-    axes.plot([end[0], end[0]], [end[1] - 0.075, end[1] + 0.075], color=colour, lw=width, zorder=2)
-    axes.annotate(
-        name, (end[0] - 0.04, end[1]), (-3, 0), textcoords="offset points", ha="right", va="center", fontsize=10,
-        color=colour, fontweight="bold",
-    )  # fmt: skip
+        height = end[1] - 0.05 + 0.035 * k
+        axes.plot([end[0] + side * 0.025, end[0]], [height - 0.025, height], color=colour, lw=0.9)
+    alignment = "left" if side > 0 else "right"
+    place = (end[0] + side * 0.04, end[1])
+    axes.text(*place, name, ha=alignment, va="center", fontsize=10, color=colour, fontweight="bold", zorder=6)
 
 
 def _draw_clutch(axes: Axes, name: str, first: Node, second: Node, colour: str, width: float) -> None:
@@ -154,7 +184,8 @@ def _draw_clutch(axes: Axes, name: str, first: Node, second: Node, colour: str, 
         place = (x + 0.06, middle)
         alignment = "left"
     else:
-        mx, my = (x1 + x2) / 2, (y1 + y2) / 2
+        share = 0.5 if abs((x1 + x2) / 2 % 1) == 0.5 else 0.5 + 0.5 / (x2 - x1)  # between levers, not on one
+        mx, my = x1 + share * (x2 - x1), y1 + share * (y2 - y1)
         axes.plot([x1, x2], [y1, y2], color=colour, lw=width, ls=(0, (4, 2)), zorder=2)
         for shift in (-0.012, 0.012):
             axes.plot([mx + shift, mx + shift], [my - 0.05, my + 0.05], color=colour, lw=2.2, zorder=3)

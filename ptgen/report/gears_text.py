@@ -131,7 +131,9 @@ def _efficiency(one: Balance | None) -> str:
 
 
 def _torques(found: GearAnalysis) -> Table:
-    table = Table("gear", *found.layout.element_names, "output", "circulating power", box=box.SIMPLE_HEAD)
+    circulates = any(gear.ideal.recirculating for gear in found.listed)
+    last = ("circulating power",) if circulates else ()
+    table = Table("gear", *found.layout.element_names, "output", *last, box=box.SIMPLE_HEAD)
     for column in table.columns[1:]:
         column.justify = "right"
     for gear in found.listed:
@@ -139,8 +141,8 @@ def _torques(found: GearAnalysis) -> Table:
             number_text(gear.ideal.elements[name]) if name in gear.ideal.elements else ""
             for name in found.layout.element_names
         ]
-        circulating = percent(gear.ideal.recirculating) if gear.ideal.recirculating else ""
-        table.add_row(gear.name, *torques, number_text(gear.ideal.output_torque), circulating)
+        shown = [percent(gear.ideal.recirculating) if gear.ideal.recirculating else ""] if circulates else []
+        table.add_row(gear.name, *torques, number_text(gear.ideal.output_torque), *shown)
     return table
 
 
@@ -195,5 +197,6 @@ def _trains(found: GearAnalysis, one: Balance) -> Table:
         for position, (flange, member) in enumerate(train.members.items()):
             name, rolling = (train.name, number_text(load.rolling_power, 4)) if position == 0 else ("", "")
             torque, power = number_text(load.torques[flange], 4), number_text(load.powers[flange], 4)
-            table.add_row(name, flange, member, torque, power, rolling)
+            shown = flange if len(train.members) > 1 else "held"
+            table.add_row(name, shown, member, torque, power, rolling)
     return table
