@@ -17,6 +17,7 @@ from ptgen.cli.output import print_json, print_parts
 from ptgen.errors import ModelError, Problem, RunError, nearest
 
 if TYPE_CHECKING:
+    from ptgen.components.part import PartDescription
     from ptgen.mechanism.model import Model
 
 __all__ = ["check", "derive", "modal", "schema", "show"]
@@ -24,10 +25,14 @@ __all__ = ["check", "derive", "modal", "schema", "show"]
 
 @reported
 def check(file: BedFile, as_json: AsJson = False) -> None:
-    """Check a test bed file, and that a model and a controller can be made of it."""
+    """Check a test bed file, and that a model and a controller can be made of it; or a part file."""
     from ptgen.project import Project
     from ptgen.report.plain import bed_json
+    from ptgen.testbed.parts import is_part, read_part
 
+    if is_part(file):
+        _check_part(read_part(file).description, as_json)
+        return
     project = Project.read(file)
     project.blocks()  # every stage that could find a problem
     found = bed_json(project)
@@ -51,6 +56,19 @@ def check(file: BedFile, as_json: AsJson = False) -> None:
             *(f"  {dependence_text(names)}" for names in dependent),
         ]
     )
+
+
+def _check_part(part: PartDescription, as_json: bool) -> None:
+    if as_json:
+        print_json({"title": part.title, "flanges": list(part.exposed), "components": len(part.components)})
+        return
+    lines = [
+        f"{part.file}: sound",
+        f"  {part.title}: a part of {len(part.components)} components and {len(part.members)} members",
+        f"  flanges: {', '.join(part.exposed)}",
+        *([f"  gears: {', '.join(part.gears)}; see ptgen gears"] if part.gears else []),
+    ]
+    print_parts(lines)
 
 
 @reported

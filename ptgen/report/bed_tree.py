@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from typing import Any
 
 from rich.text import Text
 from rich.tree import Tree
 
-from ptgen.components.component import Quantity, Record
+from ptgen.components.component import Component, Quantity, Record
+from ptgen.components.part import Part, PartDescription
 from ptgen.report.quantities import readable
 from ptgen.testbed.testbed import Testbed
 
@@ -50,16 +51,18 @@ def bed_tree(bed: Testbed) -> Tree:
         leaf = branch.add(Text.assemble((name, "bold"), f"{assumed}  {component.summary}"))
         for line in component_lines(bed, name):
             leaf.add(Text(line))
+        if isinstance(component, Part):
+            _add_part(leaf, component.description)
     branch = tree.add(Text("control", style="bold cyan"))
     for machine, place in bed.roles.torque.items():
         branch.add(Text(f"{machine} controls the torque at {place}"))
     for machine in bed.roles.speed:
         branch.add(Text(f"{machine} controls its own speed"))
     tuning = branch.add(Text("tuning"))
-    for line in _values(bed, bed.tuning, "control"):
+    for line in _values(bed.assumed, bed.tuning, "control"):
         tuning.add(Text(line))
     reduction = branch.add(Text("reduction"))
-    for line in _values(bed, bed.reduction, "reduction"):
+    for line in _values(bed.assumed, bed.reduction, "reduction"):
         reduction.add(Text(line))
     if bed.assumed:
         branch = tree.add(Text("assumed rather than measured (*)", style="bold cyan"))
@@ -68,9 +71,49 @@ def bed_tree(bed: Testbed) -> Tree:
     return tree
 
 
+def _add_part(leaf: Tree, part: PartDescription) -> None:
+    """Add what a part consists of."""
+    leaf.label = Text.assemble(leaf.label if isinstance(leaf.label, Text) else str(leaf.label), f": {part.title}")
+    for member, record in part.members.items():
+        assumed = " *" if f"members.{member}" in part.assumed else ""
+        twig = leaf.add(Text.assemble((member, "bold"), f"{assumed}  member"))
+        for line in _values(part.assumed, record, f"members.{member}"):
+            twig.add(Text(line))
+    for name, component in part.components.items():
+        assumed = " *" if f"components.{name}" in part.assumed else ""
+        twig = leaf.add(Text.assemble((name, "bold"), f"{assumed}  {component.summary}"))
+        for line in _values(part.assumed, component, f"components.{name}"):
+            twig.add(Text(line))
+        if isinstance(component, Part):
+            _add_part(twig, component.description)
+    if part.gears:
+        twig = leaf.add(Text("gears and the elements that are engaged"))
+        for gear, elements in part.gears.items():
+            twig.add(Text(f"{gear}: {' '.join(elements)}"))
+
+
+def _part_values(part: PartDescription) -> dict[str, Any]:
+    """Return what a part consists of as plain data, in SI units."""
+    return {
+        "title": part.title,
+        "file": part.file,
+        "flanges": dict(part.exposed),
+        "members": {name: member.model_dump(mode="json") for name, member in part.members.items()},
+        "components": {name: _component_values(component) for name, component in part.components.items()},
+        "connections": [list(pair) for pair in part.connections],
+        "gears": {gear: list(elements) for gear, elements in part.gears.items()},
+        "assumed": list(part.assumed),
+    }
+
+
+def _component_values(component: Component) -> dict[str, Any]:
+    values = component.model_dump(mode="json")
+    return values | {"part": _part_values(component.description)} if isinstance(component, Part) else values
+
+
 def component_lines(bed: Testbed, name: str) -> list[str]:
     """Return the values of a component, one line each, in the units that people read."""
-    return _values(bed, bed.components[name], f"components.{name}")
+    return _values(bed.assumed, bed.components[name], f"components.{name}")
 
 
 def bed_values(bed: Testbed) -> dict[str, Any]:
@@ -81,7 +124,7 @@ def bed_values(bed: Testbed) -> dict[str, Any]:
         "file": bed.file,
         "sample_time": bed.sample_time,
         "chains": [list(chain) for chain in chains(bed)],
-        "components": {name: component.model_dump(mode="json") for name, component in bed.components.items()},
+        "components": {name: _component_values(component) for name, component in bed.components.items()},
         "torque": dict(bed.roles.torque),
         "speed": list(bed.roles.speed),
         "tuning": bed.tuning.model_dump(mode="json"),
@@ -101,16 +144,16 @@ def _stops(bed: Testbed, chain: tuple[str, ...]) -> list[str]:
     return stops
 
 
-def _values(bed: Testbed, record: Record, path: str) -> list[str]:
+def _values(assumed: Collection[str], record: Record, path: str) -> list[str]:
     units = _units(record)
     lines = []
     for field in type(record).model_fields:
         value = getattr(record, field)
         if field == "type" or value is None or value == () or value == {}:
             continue
-        mark = " *" if f"{path}.{field}" in bed.assumed else ""
+        mark = " *" if f"{path}.{field}" in assumed else ""
         if isinstance(value, Record):
-            lines.append(f"{field}:{mark} {', '.join(_values(bed, value, f'{path}.{field}'))}")
+            lines.append(f"{field}:{mark} {', '.join(_values(assumed, value, f'{path}.{field}'))}")
         elif isinstance(value, float):
             # A bandwidth is held as a rate, but nobody thinks of it as a speed.
             shown = f"{value:.5g} rad/s" if "bandwidth" in field else readable(value, units.get(field, ""))

@@ -22,7 +22,7 @@ from ptgen.testbed.names import check_component_names
 from ptgen.testbed.problems import dotted, shown, validated
 from ptgen.testbed.text import read_toml
 
-__all__ = ["PartSection", "combined", "find_part", "part_kinds", "read_part", "shipped_parts"]
+__all__ = ["PartSection", "combined", "find_part", "is_part", "part_kinds", "read_part", "shipped_parts"]
 
 _SECTIONS = {
     "part": 'add [part] with title = "Gear set" and flanges = { input = "input", output = "output" }',
@@ -56,6 +56,18 @@ def shipped_parts() -> dict[str, Path]:
     package = Path(ptgen.__file__).parent
     folders = (package / "_parts", package.parent / "parts")
     return {path.name: path for folder in folders if folder.is_dir() for path in sorted(folder.glob("*.toml"))}
+
+
+def is_part(path: str | PathLike[str]) -> bool:
+    """Tell whether a TOML file describes a part rather than a bed.
+
+    Raises
+    ------
+    TestbedError
+        If it cannot be read, or is no TOML.
+    """
+    tables = read_toml(path, "test bed file").tables
+    return "part" in tables and "testbed" not in tables
 
 
 def find_part(file: str, folder: Path) -> Path | None:

@@ -51,6 +51,9 @@ def load(path: str | PathLike[str]) -> Testbed:
     """
     document = read_toml(path, "test bed file")
     tables = document.tables
+    if "part" in tables and "testbed" not in tables:
+        remedy = 'name it in a bed, with type = "part" and file = "..."; `ptgen gears` shows what it does'
+        raise TestbedError(Problem("", "is a part file, not a test bed", remedy), document.file)
     problems = _sections(tables)
     bed, found = validated(BedSection, tables["testbed"], "testbed") if "testbed" in tables else (None, [])
     problems += found
