@@ -503,5 +503,88 @@ for system_bed, names, k in (
     friction_matrix = (G * M.inv() * G.T).applyfunc(sp.cancel)
     check("3.32", k.subs(geometry) if system_bed is epicyclic_bed else k, friction_matrix)
 
+# %% [markdown]
+# ## Torque converter, (3.37) to (3.41)
+# A fluid that turns twice as fast moves twice the mass per time with twice the velocity: its torques grow with the square
+# of the speeds if these keep their ratio. From that law of similarity alone (3.39) follows, with T_pc the torque at the
+# reference speed, and a torque ratio that depends on the ratio of the speeds only, (3.38).
+
+# %%
+w_p, w_t, w_pc, nu = sp.symbols("omega_p omega_t omega_pc nu", positive=True)
+T_1, T_2, T_lc, I_p, I_t = sp.symbols("T_1 T_2 T_lc I_p I_t", positive=True)
+pump_shape, turbine_shape = sp.Function("f"), sp.Function("g")
+
+
+def pump_torque(pump, turbine):
+    """Return a torque that is homogeneous of degree two in the speeds."""
+    return pump**2 * pump_shape(turbine / pump)
+
+
+def turbine_torque(pump, turbine):
+    """Return another one."""
+    return pump**2 * turbine_shape(turbine / pump)
+
+
+at_reference = pump_torque(w_pc, nu * w_pc)  # T_pc(nu)
+mu = turbine_torque(w_pc, nu * w_pc) / at_reference
+speed_ratio = {nu: w_t / w_p}
+check("3.39", ((w_p / w_pc) ** 2 * at_reference).subs(speed_ratio), pump_torque(w_p, w_t))
+check("3.38", (mu * pump_torque(w_p, nu * w_p)).subs(speed_ratio), turbine_torque(w_p, w_t))
+
+# %% [markdown]
+# ptgen's converter: at the points of its map, forward with the pump faster, it has (3.37) to (3.39) to the last digit,
+# because these points are the constant coefficients of its polynomials. Its two inertias follow (3.40) and (3.41), with
+# the torques of the lock-up clutch and of the fluid as they act on the bodies.
+
+# %%
+points = {"speed_ratio": [0, 0.5, 0.75, 1], "torque_ratio": [2, 1.5, 1.25, 1], "pump_torque": [160, 144, 96, 0]}
+converter_bed = bed(
+    ["M1 - tc - M2"],
+    machine("M1"),
+    machine("M2"),
+    table(
+        "tc",
+        "torque_converter",
+        inertia_pump="0.1 kg m^2",
+        inertia_turbine="0.2 kg m^2",
+        reference_speed="200 rad/s",
+        drive=points | {"pump_torque": [f"{torque} N m" for torque in points["pump_torque"]]},
+        lockup={"capacity": "1 N m"},
+    ),
+    torque={"M1": "tc.pump"},
+    speed=["M2"],
+)
+(fluid,) = converter_bed.mechanism.fluids
+forward = fluid.sectors[0]
+known = [forward.share.index(share) for share in points["speed_ratio"][:-1]]
+exact_pump = [sp.Rational(forward.faster[k][0]) for k in known]
+exact_turbine = [sp.Rational(forward.slower[k][0]) for k in known]
+check(
+    "3.37 points of the map", list(map(sp.Rational, points["speed_ratio"])), list(map(sp.Rational, forward.share[1:]))
+)
+check("3.39 points of the map", points["pump_torque"][:-1], exact_pump)
+check(
+    "3.38 points of the map",
+    list(map(sp.Rational, points["torque_ratio"][:-1])),
+    [turbine / pump for turbine, pump in zip(exact_turbine, exact_pump, strict=True)],
+)
+
+# %%
+T_cp, T_ct = sp.symbols("T_p T_t", positive=True)
+model = converter_bed.plant_model
+converter_names = {
+    "M1_inertia": 0,
+    "M2_inertia": 0,
+    "tc_lockup_viscous": 0,
+    "tc_inertia_pump": I_p,
+    "tc_inertia_turbine": I_t,
+}
+moving = rates(model, converter_names, [T_1, -T_2], [T_lc, T_cp, T_ct], [0] * len(model.coordinates))
+of_pump, of_turbine = (
+    (rename(model.velocity_rows[f"tc.{side}"], converter_names) * sp.Matrix(moving))[0] for side in ("pump", "turbine")
+)
+check("3.40", T_1 - T_lc - T_cp, sp.cancel(I_p * of_pump))
+check("3.41", T_lc + T_ct - T_2, sp.cancel(I_t * of_turbine))
+
 # %%
 summary()
