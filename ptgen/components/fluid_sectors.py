@@ -112,7 +112,8 @@ def _step(start: float, end: float) -> Polynomial:
 def _monotone(points: Sequence[float], values: Sequence[float]) -> tuple[Polynomial, ...]:
     from scipy.interpolate import PchipInterpolator  # takes a while to import, and few beds need it
 
-    falling = PchipInterpolator(points, values).c
+    with np.errstate(over="ignore", under="ignore"):
+        falling = PchipInterpolator(points, values).c
     return tuple(tuple(map(float, column[::-1])) for column in falling.T)
 
 

@@ -39,14 +39,18 @@ class MapTable(Record):
         return described
 
 
-def disorder(values: Iterable[float], key: str) -> list[Finding]:
-    """Return the places where a list does not rise strictly."""
+def disorder(values: Iterable[float], key: str, least: float = 1e-6) -> list[Finding]:
+    """Return the places where a list does not rise, by `least` at least: closer points would be steps of a curve."""
     entries = list(values)
-    return [
-        ((key, k), f"must rise strictly, got {entries[k]:g} after {entries[k - 1]:g}; put the points in order")
-        for k in range(1, len(entries))
-        if entries[k] <= entries[k - 1]
-    ]
+    found: list[Finding] = []
+    for k in range(1, len(entries)):
+        before, here = entries[k - 1], entries[k]
+        if here <= before:
+            found.append(((key, k), f"must rise strictly, got {here:g} after {before:g}; put the points in order"))
+        elif here - before < least:
+            what = f"is only {here - before:.3g} above the point before it"
+            found.append(((key, k), f"{what}; points must be {least:g} apart, remove one of the two"))
+    return found
 
 
 def refuse(title: str, findings: Iterable[Finding]) -> None:

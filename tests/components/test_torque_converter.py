@@ -149,6 +149,7 @@ def drive(**changes: object) -> dict[str, object]:
             "drive.speed_ratio[6]",
             "leave a gap, add the point at 1",
         ),
+        (drive(speed_ratio=[0, 0.2, 0.4, 0.4 + 1e-9, 0.8, 0.9, 1]), "drive.speed_ratio[3]", "is only 1e-09 above"),
         (drive(torque_ratio=[2, 1]), "drive.torque_ratio", "as many entries as speed_ratio (7), got 2"),
         (drive(pump_torque=["1 N m"]), "drive.pump_torque", "as many entries as speed_ratio (7), got 1"),
         (drive(speed_ratio=[]), "drive.speed_ratio", "needs two points at least, got 0"),
@@ -186,6 +187,33 @@ def drive(**changes: object) -> dict[str, object]:
 def test_impossible_maps_are_refused(changes: dict[str, object], where: str, words: str) -> None:
     found = problems_of(**changes)
     assert any(text.startswith(f"components.tc.{where}: ") and words in text for text in found), found
+
+
+@given(
+    st.lists(st.floats(0, 1) | st.sampled_from([0.0, 5e-324, 1e-6, 0.5, 0.9999995, 1.0]), min_size=1, max_size=6),
+    st.lists(st.floats(0, 3) | st.sampled_from([1e-300, 1e15]), min_size=6, max_size=6),
+    st.lists(st.floats(0, 300) | st.sampled_from([1e-300, 1e15]), min_size=6, max_size=6),
+)
+def test_whatever_the_maps_are_they_are_refused_or_make_sense(
+    share: list[float], ratio: list[float], torque: list[float]
+) -> None:
+    share, count = sorted({0.0, *share, 1.0}), len({0.0, *share, 1.0})
+    given_map = {
+        "speed_ratio": share,
+        "torque_ratio": sorted([*ratio, 1.0, 1.0][:count], reverse=True),
+        "pump_torque": [f"{value!r} N m" for value in [*torque, *torque][: count - 1]] + ["0 N m"],
+    }
+    table = {"type": "torque_converter", **EXAMPLES["torque_converter"], "drive": given_map}
+    component, problems = validated(CATALOGUE["torque_converter"], table, "components", "tc")
+    assert problems or component is not None
+    if component is None:
+        return
+    fluid = fluid_of(component)
+    for angle in np.linspace(0, 2 * np.pi, 97):
+        speeds = REFERENCE * np.array([np.cos(angle), np.sin(angle)])
+        T_p, T_t = fluid.torques(*speeds)
+        assert np.isfinite([T_p, T_t]).all()
+        assert T_p * speeds[0] - T_t * speeds[1] >= -1e-6 * REFERENCE * (1 + max(torque))
 
 
 def test_all_problems_of_a_converter_are_told_at_once() -> None:
