@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import sympy as sp
-from small_beds import two_machines
+from plant.small_beds import two_machines
 
 from ptgen.components.catalogue import CATALOGUE
 from ptgen.components.component import Component

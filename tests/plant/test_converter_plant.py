@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from converter_bed import converter, converter_bed, converter_model
+from plant.converter_bed import converter, converter_bed, converter_model
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
