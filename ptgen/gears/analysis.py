@@ -8,9 +8,10 @@ from itertools import pairwise
 
 from ptgen.gears.changes import Change, changes
 from ptgen.gears.combinations import Combination, State, combinations
+from ptgen.gears.freewheels import with_freewheels
 from ptgen.gears.gear import Gear, gear_of
 from ptgen.gears.layout import Layout
-from ptgen.gears.shift_table import NEUTRAL, combination_of, needed_of
+from ptgen.gears.shift_table import NEUTRAL, needed_of
 
 __all__ = ["GearAnalysis", "analyse_gears"]
 
@@ -103,7 +104,7 @@ def analyse_gears(layout: Layout, table: Mapping[str, Sequence[str]] | None = No
         alternatives.setdefault(needed, []).append(engaged)
     named: dict[tuple[str, ...], tuple[str, Combination]] = {}
     for name, elements in (table or {}).items():
-        found = combination_of(every, elements)
+        found = with_freewheels(layout, every, elements)
         if found is not None and found.state is State.GEAR:
             named.setdefault(needs[found.engaged], (name, found))
     gears = []

@@ -44,7 +44,10 @@ class Gear:
     ideal : Balance
         Torques without losses.
     drive, coast : Balance or None
-        Torques with losses, the input driving the output and the reverse; None if the gear locks itself.
+        Torques with losses, the input driving the output and the reverse; None if the gear locks itself, or if
+        freewheels overrun.
+    overruns : tuple of str
+        Freewheels that hold in drive and release in coast.
     """
 
     name: str
@@ -60,6 +63,7 @@ class Gear:
     ideal: Balance
     drive: Balance | None
     coast: Balance | None
+    overruns: tuple[str, ...] = ()
 
     @property
     def idle(self) -> tuple[str, ...]:
@@ -91,6 +95,8 @@ def gear_of(
     ideal = balance(layout, engaged, floats, losses=False)
     if out.value is None or ideal is None:
         raise ValueError(f"{', '.join(engaged)} make no gear")
+    one_way = [element.name for element in layout.elements if element.one_way]
+    overruns = tuple(name for name in one_way if ideal.elements.get(name, 0.0) != 0.0)
     return Gear(
         name=name,
         named=named,
@@ -104,7 +110,8 @@ def gear_of(
         slips=slips(layout, engaged, speeds),
         ideal=ideal,
         drive=balance(layout, engaged, floats, losses=True),
-        coast=balance(layout, engaged, floats, losses=True, coast=True),
+        coast=None if overruns else balance(layout, engaged, floats, losses=True, coast=True),
+        overruns=overruns,
     )
 
 

@@ -6,10 +6,11 @@ from collections.abc import Mapping, Sequence
 
 from ptgen.errors import Problem, nearest
 from ptgen.gears.combinations import Combination, State, combinations, free_motions
+from ptgen.gears.freewheels import with_freewheels
 from ptgen.gears.layout import Layout, TrainKind
 from ptgen.gears.vectors import combined
 
-__all__ = ["NEUTRAL", "combination_of", "gear_ratios", "needed_of", "shift_table_problems"]
+__all__ = ["NEUTRAL", "gear_ratios", "needed_of", "shift_table_problems"]
 
 NEUTRAL = "N"
 """The one name in a shift table whose elements may leave the output free."""
@@ -24,8 +25,8 @@ def gear_ratios(layout: Layout, table: Mapping[str, Sequence[str]]) -> dict[str,
     table : mapping of str to sequence of str
         Gear -> engaged elements.
     """
-    every = {frozenset(found.engaged): found for found in combinations(layout)}
-    named = ((gear, every.get(frozenset(engaged))) for gear, engaged in table.items())
+    every = combinations(layout)
+    named = ((gear, with_freewheels(layout, every, engaged)) for gear, engaged in table.items())
     return {gear: float(found.ratio) for gear, found in named if found is not None and found.ratio is not None}
 
 
@@ -53,11 +54,6 @@ def shift_table_problems(layout: Layout, table: Mapping[str, Sequence[str]], whe
     return [*_layout_problems(layout), *_element_problems(layout, every), *_gear_problems(layout, table, every, where)]
 
 
-def combination_of(every: Sequence[Combination], engaged: Sequence[str]) -> Combination | None:
-    """Return what a combination of elements makes; None if it names an unknown element."""
-    return next((found for found in every if set(found.engaged) == set(engaged)), None)
-
-
 def needed_of(every: Sequence[Combination], engaged: Sequence[str]) -> tuple[str, ...]:
     """Return the fewest of the engaged elements that make a gear."""
     names = set(engaged)
@@ -75,11 +71,11 @@ def _gear_problems(
         problems += [
             Problem(place, f'"{name}" is no shift element', nearest(name, layout.element_names)) for name in unknown
         ]
-        found = None if unknown else combination_of(every, engaged)
+        found = None if unknown else with_freewheels(layout, every, engaged)
         if found is None:
             continue
         if found.state is State.GEAR:
-            needed = needed_of(every, engaged)
+            needed = needed_of(every, found.engaged)
             other = first.setdefault(needed, gear)
             if other != gear:
                 what = f"is the same gear as {other}: {_listed(needed)} make both"

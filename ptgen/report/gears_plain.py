@@ -64,6 +64,7 @@ def gear_json(gear: Gear) -> dict[str, Any]:
         "ideal": _balance(gear.ideal),
         "drive": _balance(gear.drive),
         "coast": _balance(gear.coast),
+        "overruns": list(gear.overruns),
     }
 
 

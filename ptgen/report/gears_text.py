@@ -88,7 +88,7 @@ def gear_text(found: GearAnalysis, gear: Gear) -> Iterator[RenderableType]:
             f"{percent(gear.ideal.recirculating)} of the input power circulates through {', '.join(gear.ideal.circle)}"
         )
     if found.has_losses:
-        yield Text(f"efficiency {_efficiency(gear.drive)} in drive, {_efficiency(gear.coast)} in coast")
+        yield Text(f"efficiency {_efficiency(gear.drive)} in drive, {_coast(gear)} in coast")
     singles = [change for change in found.changes if change.start == gear.name and change.is_single]
     if singles:
         yield _heading("Single changes from here")
@@ -120,7 +120,7 @@ def _shift_table(found: GearAnalysis) -> Table:
             continue
         marks = ["(X)" if name in gear.idle else "X" if name in gear.engaged else "" for name in names]
         step = f"{steps[gear.name]:.3f}" if gear.name in steps else ""
-        shown = [_efficiency(gear.drive), _efficiency(gear.coast)] if losses else []
+        shown = [_efficiency(gear.drive), _coast(gear)] if losses else []
         formula = ratio_text(gear.formula) or "(these ratios only)"
         table.add_row(gear.name, *marks, formula, number_text(gear.ratio), step, *shown)
     return table
@@ -128,6 +128,10 @@ def _shift_table(found: GearAnalysis) -> Table:
 
 def _efficiency(one: Balance | None) -> str:
     return "locks itself" if one is None else f"{100 * one.efficiency:.2f} %"
+
+
+def _coast(gear: Gear) -> str:
+    return "overruns" if gear.overruns else _efficiency(gear.coast)
 
 
 def _torques(found: GearAnalysis) -> Table:

@@ -148,16 +148,21 @@ def findings(found: GearAnalysis) -> Iterator[str]:
             yield f"{gear.name} gives {float(gear.ratio):.4g}, a gear that the shift table does not name"
     for gear in found.listed:
         if gear.idle:
-            yield f"{gear.name}: {_listed(gear.idle)} idle; {_listed(gear.needed)} make the gear"
+            verb = "make" if len(gear.needed) > 1 else "makes"
+            yield f"{gear.name}: {_listed(gear.idle)} idle; {_listed(gear.needed)} {verb} the gear"
+        if gear.overruns:
+            many = len(gear.overruns) > 1
+            verbs = ("hold", "overrun") if many else ("holds", "overruns")
+            yield f"{gear.name}: {_listed(gear.overruns)} {verbs[0]} in drive and {verbs[1]} in coast"
         if gear.formula is None:
             yield f"{gear.name}: a gear at these ratios only; for others there would be no formula"
         if gear.ideal.undetermined:
             torques = "torques of least norm are given"
             yield f"{gear.name}: {_listed(gear.ideal.undetermined)} hold the same motion; {torques}"
         for side, one in (("drive", gear.drive), ("coast", gear.coast)):
-            if one is None:
+            if one is None and not (side == "coast" and gear.overruns):
                 yield f"{gear.name}: locks itself in {side}: the losses eat all power"
-            elif one.consistent > 1:
+            elif one is not None and one.consistent > 1:
                 yield f"{gear.name}: {one.consistent} patterns of power flow are consistent in {side}"
 
 

@@ -52,6 +52,12 @@ class Gearing:
         for name in names:
             self._shift(name, {f"{name}.left": ONE})
 
+    def freewheel(self, name: str) -> None:
+        """A freewheel that holds its flange ``input`` against positive rotation relative to ``output``."""
+        row = {f"{name}.input": ONE, f"{name}.output": -ONE}
+        zero = sp.Integer(0)
+        self.frictions.append(Friction(name, row, zero, zero, FrictionRole.COUPLING, one_way=True))
+
     def _shift(self, name: str, row: Mapping[str, sp.Expr]) -> None:
         capacity = sp.Integer(20 if name.startswith("S") else 300)
         self.frictions.append(Friction(name, row, capacity, sp.Integer(0), FrictionRole.COUPLING, actuated=True))
