@@ -9,7 +9,7 @@ Each symbol is drawn around a place of the grid and ends its stubs at `HALF` to 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from ptgen.report.figures import GREY, INK
@@ -170,6 +170,84 @@ def _bearing(axes: Axes, x: float, y: float, colour: str, text: str, mirrored: b
         _housing(axes, x, far, up)
 
 
+def _wheels(axes: Axes, x: float, y: float) -> None:
+    """Draw two gears that mesh, seen from the side: the upper one smaller."""
+    for low, high in ((y - 0.2, y + 0.06), (y + 0.06, y + 0.22)):
+        _patch(axes, [(x - 0.06, low), (x - 0.06, high), (x + 0.06, high), (x + 0.06, low)], _PALE)
+
+
+def _gear_pair(axes: Axes, x: float, y: float, colour: str, text: str, mirrored: bool) -> None:
+    _stubs(axes, x, y, 0.06)
+    _wheels(axes, x, y)
+
+
+def _planetary_set(axes: Axes, x: float, y: float, colour: str, text: str, mirrored: bool) -> None:
+    _stubs(axes, x, y, 0.1)
+    _bar(axes, x, y - 0.05, y + 0.05)  # sun, planet and ring, and the arm of the carrier
+    for side in (-1, 1):
+        _patch(
+            axes,
+            [
+                (x - 0.06, y + side * 0.05),
+                (x - 0.06, y + side * 0.17),
+                (x + 0.06, y + side * 0.17),
+                (x + 0.06, y + side * 0.05),
+            ],
+            _PALE,
+        )
+        _bar(axes, x, y + side * 0.19, y + side * 0.25, width=5.0)
+        axes.plot([x, x + 0.1, x + 0.1], [y + side * 0.11, y + side * 0.11, y], color=INK, lw=_LINE, zorder=3)
+
+
+def _synchroniser(axes: Axes, x: float, y: float, colour: str, text: str, mirrored: bool) -> None:
+    _stubs(axes, x, y, 0.08)
+    turn = -1 if mirrored else 1
+    sleeve = [
+        (x - turn * 0.14, y - 0.2),
+        (x - turn * 0.14, y + 0.2),
+        (x - turn * 0.02, y + 0.2),
+        (x - turn * 0.02, y - 0.2),
+    ]
+    cone = [
+        (x + turn * 0.02, y - 0.12),
+        (x + turn * 0.02, y + 0.12),
+        (x + turn * 0.12, y + 0.2),
+        (x + turn * 0.12, y - 0.2),
+    ]
+    _patch(axes, sleeve, _PALE)
+    _patch(axes, cone, GREY)
+
+
+def _clutched_gearbox(axes: Axes, x: float, y: float, clutches: Sequence[float], mirrored: bool) -> None:
+    _stubs(axes, x, y, 0.24)
+    _patch(axes, [(x - 0.24, y - 0.26), (x - 0.24, y + 0.26), (x + 0.24, y + 0.26), (x + 0.24, y - 0.26)], _PALE)
+    turn = -1 if mirrored else 1
+    for level in clutches:
+        for side in (-1, 1):
+            _bar(axes, x + turn * (side * 0.035 - 0.1), y + level - 0.08, y + level + 0.08)
+        small, large = 0.04, 0.09
+        left, right = (large, small) if mirrored else (small, large)
+        middle = x + turn * 0.1
+        corners = [(middle - 0.06, level - left), (middle - 0.06, level + left), (middle + 0.06, level + right)]
+        corners.append((middle + 0.06, level - right))
+        _patch(axes, [(across, y + up) for across, up in corners], "white")
+
+
+def _single_clutch_gearbox(axes: Axes, x: float, y: float, colour: str, text: str, mirrored: bool) -> None:
+    _clutched_gearbox(axes, x, y, (0.0,), mirrored)
+
+
+def _double_clutch_gearbox(axes: Axes, x: float, y: float, colour: str, text: str, mirrored: bool) -> None:
+    _clutched_gearbox(axes, x, y, (0.12, -0.12), mirrored)
+
+
+def _part(axes: Axes, x: float, y: float, colour: str, text: str, mirrored: bool) -> None:
+    _stubs(axes, x, y, 0.24)
+    _patch(axes, [(x - 0.24, y - 0.26), (x - 0.24, y + 0.26), (x + 0.24, y + 0.26), (x + 0.24, y - 0.26)], _PALE)
+    for place in (x - 0.1, x + 0.1):
+        _wheels(axes, place, y)
+
+
 def _differential(axes: Axes, x: float, y: float, colour: str, text: str, mirrored: bool) -> None:
     _patch(axes, [(x - 0.24, y), (x + 0.24, y + 0.28), (x + 0.24, y - 0.28)], _PALE)
     axes.plot([x + 0.06] * 2, [y - 0.1, y + 0.1], color=INK, lw=_LINE, zorder=3)
@@ -198,4 +276,10 @@ _SYMBOLS: Mapping[str, Callable[[Axes, float, float, str, str, bool], None]] = {
     "differential": _differential,
     "bevel_differential": _differential,
     "epicyclic_differential": _differential,
+    "planetary_set": _planetary_set,
+    "gear_pair": _gear_pair,
+    "synchroniser": _synchroniser,
+    "single_clutch_gearbox": _single_clutch_gearbox,
+    "double_clutch_gearbox": _double_clutch_gearbox,
+    "part": _part,
 }
