@@ -120,7 +120,7 @@ class Capacities:
             mu = sp.Symbol(actuation(friction), real=True)
             kinetic, static = mu * (kinetic + friction.viscous * speed), mu * static
         if speed in sp.sympify(kinetic).free_symbols:
-            row = self.model.friction_rows[i, :]
+            row = self.signals.friction_rows[i, :]
             end = sum((row[k] * predicted(k) for k in range(self.layout.n_z) if row[k] != 0), sp.Integer(0))
             statements.insert(0, Assign(speed.name, sp.Abs(element("w_start", i) + end) / 2, "speed at mid-step"))
         source = "capacities at mid-step, (3.12), (3.34), (3.35)"

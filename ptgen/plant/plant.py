@@ -111,6 +111,7 @@ class _Plant:
             Signal("transition", "", "x at the end of the step without friction torques", (n, width)),
             *(Signal(f"{m}_dead_steps", "", "whole steps of dead time") for m in self._names()),
         ]
+        derived += [Signal(name, "", text, rows.shape) for name, (text, rows) in self.signals.prepared_rows().items()]
         kinds = "velocity, twist, input, friction and contact" + (", fluid" if layout.n_w else "")
         arrays = [
             Signal("mass", "kg m^2", "inertia matrix of the coordinates", (layout.n_z, layout.n_z)),
@@ -308,7 +309,7 @@ class _Plant:
             statements.append(Assign(str(element("w_start", i)), self.signals.friction_speed(i), "w = G z"))
         statements += self.capacities.at_mid_step(self._predicted)
         for i in range(layout.n_f):
-            free = self._over(model.friction_rows[i, :], 0, self._with_contacts)
+            free = self._over(self.signals.friction_rows[i, :], 0, self._with_contacts)
             statements.append(Assign(str(element("w_free", i)), free, "w_free = G z_free"))
         inputs = ("K", "w_start", "w_free", "slide", "rest", "friction_torque", "friction_rest")
         outputs = ("friction_mean", "friction_torque", "friction_rest", "w_plus", "friction_status")
@@ -320,12 +321,12 @@ class _Plant:
 
     def _contact_torques(self) -> list[Statement]:
         """Return the torques of shafts with backlash, with the friction torques of the last step."""
-        layout, model = self.layout, self.model
+        layout = self.layout
         if not layout.n_c:
             return []
         statements: list[Statement] = []
         for i in range(layout.n_c):
-            row = model.contact_twists[i, :]
+            row = self.signals.contact_twists[i, :]
             start = self._over(row, layout.n_z, lambda k: element("x", k))
             statements.append(Assign(str(element("twist_start", i)), start, "e = L x_e"))
             statements.append(Assign(str(element("twist_free", i)), self._over(row, layout.n_z, self._with_frictions)))
@@ -345,7 +346,7 @@ class _Plant:
             beyond = twist - sp.Max(-b, sp.Min(b, twist))
             damping = sp.Piecewise((contact.damping * rate, sp.Abs(twist) > b), (sp.Integer(0), True))
             statements.append(
-                Assign(name, self._over(model.contact_twists[i, :], layout.n_z, lambda k: element("x", k)))
+                Assign(name, self._over(self.signals.contact_twists[i, :], layout.n_z, lambda k: element("x", k)))
             )
             statements.append(Assign(str(element("contact_torque", i)), contact.stiffness * beyond + damping, "(3.5)"))
         return statements

@@ -51,7 +51,7 @@ class Preparation:
         layout, model = self.layout, self.model
         n, n_z, n_e, n_u, n_s = layout.n, layout.n_z, layout.n_e, layout.n_u, layout.n_s
         h = sp.Symbol("sample_time", positive=True)
-        statements: list[Statement] = list(_assign_matrix("mass", model.mass, "M = S' I S"))
+        statements: list[Statement] = [*self.signals.preparation(), *_assign_matrix("mass", model.mass, "M = S' I S")]
         forces = model.forces()
         joined = sp.Matrix.hstack(forces.z, forces.e, forces.u, self._torque_columns(forces.f))
         statements += _assign_matrix("forces", joined, "M dz/dt = B' u - E'(C e + D E z) - G'(T + k_v G z)")

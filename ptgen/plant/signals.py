@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cached_property
 
 import sympy as sp
 
@@ -38,6 +39,46 @@ class PlantSignals:
         places = {signal_name(name): form for name, form in signals.items() if name not in sensors}
         return {**sensors, **{name: form for name, form in places.items() if name not in sensors}}
 
+    @cached_property
+    def friction_rows(self) -> sp.Matrix:
+        """The rows of the friction velocities for use in every step, see `prepared_rows`."""
+        return self._with_prepared("G", self.model.friction_rows)
+
+    @cached_property
+    def contact_twists(self) -> sp.Matrix:
+        """The rows of the twists of shafts with backlash for use in every step, see `prepared_rows`."""
+        return self._with_prepared("L", self.model.contact_twists)
+
+    def prepared_rows(self) -> dict[str, tuple[str, sp.Matrix]]:
+        """Return the matrices of rows, and what they are, some of whose coefficients are formulas of parameters.
+
+        These are computed once, `preparation`, and stand as elements of the matrix in the rows for every step.
+        """
+        kinds = {
+            "G": ("friction velocities per velocity", self.model.friction_rows, self.friction_rows),
+            "L": ("twists of shafts with backlash per twist", self.model.contact_twists, self.contact_twists),
+        }
+        return {name: (text, rows) for name, (text, rows, used) in kinds.items() if used != rows}
+
+    def preparation(self) -> list[Assign]:
+        """Return the statements that compute the coefficients of `prepared_rows`."""
+        return [
+            Assign(str(element(name, i, k)), rows[i, k], text)
+            for name, (text, rows) in self.prepared_rows().items()
+            for i in range(rows.shape[0])
+            for k in range(rows.shape[1])
+            if self._is_formula(rows[i, k])
+        ]
+
+    def _with_prepared(self, name: str, rows: sp.Matrix) -> sp.Matrix:
+        return sp.Matrix(*rows.shape, lambda i, k: element(name, i, k) if self._is_formula(rows[i, k]) else rows[i, k])
+
+    def _is_formula(self, coefficient: sp.Expr) -> bool:
+        """Tell whether a coefficient is more than a number or a parameter, and constant while the bed runs."""
+        changing = {parameter.symbol for parameter in self.model.changing}
+        symbols = coefficient.free_symbols
+        return bool(symbols) and not symbols & changing and not (coefficient.is_Symbol or (-coefficient).is_Symbol)
+
     def over_coordinates(self, row: sp.Matrix) -> sp.Expr:
         """Return a row over the coordinates as an expression of the state array."""
         return sum((row[k] * element("x", k) for k in range(self.layout.n_z) if row[k] != 0), sp.Integer(0))
@@ -51,7 +92,7 @@ class PlantSignals:
 
         Those that are states are exactly zero at rest; one that is a combination of states may be off by rounding.
         """
-        speed = self.over_coordinates(self.model.friction_rows[i, :])
+        speed = self.over_coordinates(self.friction_rows[i, :])
         if speed.is_Symbol:
             return speed
         terms = sp.Add.make_args(speed)
