@@ -244,10 +244,9 @@ class _Faces:
         start = np.clip(np.zeros(len(self.w)), self.lo, self.hi)
         warm = guess is not None
         T = np.clip(guess, self.lo, self.hi) if guess is not None else start
-        if not deficient or self._is_unique():
-            T, solved = self._descend(self.K, self.w, T, warm)
-            if solved:
-                return BoxSolution(T, _rates(self.K, self.w, self.lo, self.hi, T), self.work, True)
+        T, solved = self._descend(self.K, self.w, T, warm, _EPSILON**-0.5 if deficient else NO_PIVOT)
+        if solved and (not deficient or self._is_unique(T)):
+            return BoxSolution(T, _rates(self.K, self.w, self.lo, self.hi, T), self.work, True)
         T, size, solved = self._least_norm(T, warm, deficient)
         if not solved:  # from where that ended
             T, solved = self._descend(self.K, self.w, T, True)
@@ -257,12 +256,15 @@ class _Faces:
             solved = _what_is_left(self.K, self.w, self.lo, self.hi, T, size) == _SOLVED
         return BoxSolution(T, _rates(self.K, self.w, self.lo, self.hi, T, size), self.work, solved)
 
-    def _is_unique(self) -> bool:
+    def _is_unique(self, T: Array) -> bool:
         """Tell whether the elements that may hold something hold independent motions, so that their torques are unique.
 
-        The others have their torques already, such as open clutches. What is close to dependent counts as such.
+        The others have their torques already, such as open clutches. What is close to dependent counts as such. Those
+        strictly inside their bounds are known to be independent, as T was solved for.
         """
         undecided = self.lo < self.hi
+        if np.all((self.lo < T) & (self.hi > T) | ~undecided):
+            return True
         return _solve_free(self.K, self.w, undecided, _EPSILON**-0.5) is not None
 
     def _least_norm(self, T: Array, warm: bool, deficient: bool) -> tuple[Array, Array, bool]:
@@ -286,7 +288,7 @@ class _Faces:
             warm, before = True, rho
         return T, size, solved
 
-    def _descend(self, H: Array, c: Array, T: Array, warm: bool) -> tuple[Array, bool]:
+    def _descend(self, H: Array, c: Array, T: Array, warm: bool, no_pivot: float = NO_PIVOT) -> tuple[Array, bool]:
         """Return the minimum of f over the box, and whether it was reached within the allowed work."""
         start, refining = self.work, False
         while True:
@@ -296,7 +298,7 @@ class _Faces:
             corner, whole = not free.any(), False
             while free.any() and not whole:
                 self.work += 1
-                target = self._minimum(H, c, T, free, refining or self.work - start > PATIENCE)
+                target = self._minimum(H, c, T, free, refining or self.work - start > PATIENCE, no_pivot)
                 if target is None:
                     return T, False
                 T, free, whole = self._step(H, c, T, target, free)
@@ -318,9 +320,11 @@ class _Faces:
             T[i] = new
         return T
 
-    def _minimum(self, H: Array, c: Array, T: Array, free: NDArray[np.bool_], change_only: bool) -> Array | None:
+    def _minimum(
+        self, H: Array, c: Array, T: Array, free: NDArray[np.bool_], change_only: bool, no_pivot: float
+    ) -> Array | None:
         """Return the minimum on a face, solved for as a whole or as the change from T; None if H is singular there."""
-        d = _solve_free(H, c - H @ (T if change_only else np.where(free, 0.0, T)), free)
+        d = _solve_free(H, c - H @ (T if change_only else np.where(free, 0.0, T)), free, no_pivot)
         if d is None:
             return None
         return np.where(free, _sum(T, d) if change_only else d, T)
