@@ -160,6 +160,7 @@ centre_differential_locked_plant_status centre_differential_locked_plant_update(
         }
     }
     memset(s->transition, 0, sizeof s->transition);
+    memset(s->L, 0, sizeof s->L);
     memset(s->gamma, 0, sizeof s->gamma);
     memset(s->K, 0, sizeof s->K);
     memset(s->kappa, 0, sizeof s->kappa);
@@ -183,6 +184,9 @@ centre_differential_locked_plant_status centre_differential_locked_plant_update(
     centre_differential_locked_zero(sizeof early, early);
     centre_differential_locked_zero(sizeof rates, rates);
     
+    /* twists of shafts with backlash per twist */
+    s->L[2][0] = 1.0 / p->diff_ratio;
+    s->L[4][1] = 1.0 / p->diff_ratio;
     /* M = S' I S */
     mass[0][0] = p->diff_inertia;
     mass[1][1] = p->diff_inertia_pinion * p->diff_pinion_ratio;
@@ -440,12 +444,12 @@ centre_differential_locked_plant_status centre_differential_locked_plant_step(ce
     /* x+ = Phi x + Gamma_u u */
     centre_differential_locked_multiply(17, 23, &s->transition[0][0], s->x, x_free);
     /* e = L x_e */
-    twist_start[0] = s->x[10] / p->diff_ratio;
-    twist_free[0] = (s->friction_torque[0] * s->gamma[0][10] + s->friction_torque[1] * s->gamma[1][10] + x_free[10])
-        / p->diff_ratio;
-    twist_start[1] = s->x[12] / p->diff_ratio;
-    twist_free[1] = (s->friction_torque[0] * s->gamma[0][12] + s->friction_torque[1] * s->gamma[1][12] + x_free[12])
-        / p->diff_ratio;
+    twist_start[0] = s->L[2][0] * s->x[10];
+    twist_free[0] = s->L[2][0] * (s->friction_torque[0] * s->gamma[0][10] + s->friction_torque[1] * s->gamma[1][10]
+        + x_free[10]);
+    twist_start[1] = s->L[4][1] * s->x[12];
+    twist_free[1] = s->L[4][1] * (s->friction_torque[0] * s->gamma[0][12] + s->friction_torque[1] * s->gamma[1][12]
+        + x_free[12]);
     /* (3.5) as a mean over the step */
     centre_differential_locked_backlash_step(&s->kappa[0][0], twist_start, twist_free, s->half_gap,
         s->contact_stiffness, s->contact_damping, contact_mean);
@@ -486,13 +490,13 @@ centre_differential_locked_plant_status centre_differential_locked_plant_step(ce
         0.0, w_plus[0]);
     s->x[1] = centre_differential_locked_select(p->standstill_speed > centre_differential_locked_abs(w_plus[1]),
         0.0, w_plus[1]);
-    const centre_differential_locked_real cardan2_twist = s->x[10] / p->diff_ratio;
+    const centre_differential_locked_real cardan2_twist = s->L[2][0] * s->x[10];
     /* (3.5) */
     s->contact_torque[0] = p->cardan2_stiffness * (cardan2_twist - centre_differential_locked_max(-s->half_gap[0],
         centre_differential_locked_min(cardan2_twist, s->half_gap[0]))) +
         centre_differential_locked_select(s->half_gap[0] < centre_differential_locked_abs(cardan2_twist),
         p->cardan2_damping * (p->diff_pinion_ratio * s->x[1] - s->x[6] + s->x[0] / p->diff_ratio), 0.0);
-    const centre_differential_locked_real cardan3_twist = s->x[12] / p->diff_ratio;
+    const centre_differential_locked_real cardan3_twist = s->L[4][1] * s->x[12];
     s->contact_torque[1] = p->cardan3_stiffness * (cardan3_twist - centre_differential_locked_max(-s->half_gap[1],
         centre_differential_locked_min(cardan3_twist, s->half_gap[1]))) +
         centre_differential_locked_select(s->half_gap[1] < centre_differential_locked_abs(cardan3_twist),

@@ -125,6 +125,7 @@ typedef struct {
     centre_differential_real M1_dead_steps; /* whole steps of dead time */
     centre_differential_real M2_dead_steps; /* whole steps of dead time */
     centre_differential_real M3_dead_steps; /* whole steps of dead time */
+    centre_differential_real L[6][4]; /* twists of shafts with backlash per twist */
     centre_differential_real gamma[4][20]; /* x at the end of the step per friction and contact torque */
     centre_differential_real K[2][4]; /* friction velocities lost per mean friction torque (rad/(N m s)) */
     centre_differential_real kappa[2][4]; /* twist lost over the step per torque (rad/(N m)) */
