@@ -108,6 +108,7 @@ def check_as_ratio(
     torque: object,
     types: Mapping[str, type[Component]],
     components: Mapping[str, Component],
+    unreadable: frozenset[str] = frozenset(),
 ) -> list[Problem]:
     """Return what is wrong with ``as_ratio``, ``gear_ratios`` and ``design_gear`` of section ``[reduction]``.
 
@@ -120,6 +121,8 @@ def check_as_ratio(
     types : mapping of str to type of Component
     components : mapping of str to Component
         Those of them that have no problem.
+    unreadable : frozenset of str
+        Components that exist, but whose type has a problem of its own.
     """
     listed = section.get("as_ratio", ())
     names = [name for name in listed if isinstance(name, str)] if isinstance(listed, list | tuple) else []
@@ -128,6 +131,8 @@ def check_as_ratio(
     for index, name in enumerate(names):
         where = dotted("reduction", "as_ratio", index)
         kind = types.get(name)
+        if name in unreadable:  # its own problem is reported where it is described
+            continue
         if kind is None:
             problems.append(Problem(where, f"{shown(name)} is no component", nearest(name, types)))
         elif kind.type_name == "gearbox":

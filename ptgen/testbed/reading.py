@@ -89,7 +89,7 @@ def load(path: str | PathLike[str]) -> Testbed:
         problems += _roles(tables, known)
         problems += _reduced(tables, described)
         if isinstance(section := tables.get("reduction", {}), dict):
-            problems += check_as_ratio(section, _entry(tables, "control", "torque"), types, components)
+            problems += check_as_ratio(section, _entry(tables, "control", "torque"), types, components, unreadable)
     if problems or not (bed and control and reduction and governor and chains):
         raise TestbedError(problems, document.file)
     return Testbed(

@@ -204,6 +204,15 @@ def test_what_is_wrong_with_its_use_is_said(tmp_path: Path, entry: str, words: s
     assert words in problems(bed(tmp_path, text=BED.replace('file = "one.toml"', entry)))
 
 
+def test_a_part_that_cannot_be_read_has_no_other_problems(tmp_path: Path) -> None:
+    text = BED.replace("one.toml", "two.toml").replace(
+        'speed = ["M1", "M2"]', 'torque = { M1 = "gears.input" }\nspeed = ["M2"]'
+    )
+    found = problems(bed(tmp_path, text=text + '[reduction]\nas_ratio = ["gears"]\n'))
+    assert len(found.splitlines()) == 1
+    assert "components.gears.file" in found
+
+
 def test_nine_speed_part_is_the_published_layout() -> None:
     """Teeth and table of the shipped file; that the ratios follow is shown by the gears themselves."""
     tables = tomllib.loads((ROOT / "parts" / "nine-speed.toml").read_text(encoding="utf-8"))
