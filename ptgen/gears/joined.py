@@ -10,6 +10,7 @@ from fractions import Fraction
 import networkx as nx
 import sympy as sp
 
+from ptgen.components.component import Component
 from ptgen.components.part import Part
 from ptgen.elements import Constraint, Elements, Friction, FrictionRole, Row
 from ptgen.errors import ModelError, Problem
@@ -71,12 +72,13 @@ def layout_of(
     return _Builder(elements, values, prefix).layout(title, (input_flange, output_flange), tuple(members))
 
 
-def layout_of_part(part: Part, name: str = "part") -> Layout:
+def layout_of_part(part: Component, name: str = "part") -> Layout:
     """Return the layout of a part that exposes ``input`` and ``output``, or two flanges of any names.
 
     Parameters
     ----------
-    part : Part
+    part : Component
+        A part, or another component with such flanges.
     name : str
         What the part is called; it stands in no name of the layout.
 
@@ -87,19 +89,23 @@ def layout_of_part(part: Part, name: str = "part") -> Layout:
     """
     flanges = part.flange_names()
     ends = ("input", "output") if {"input", "output"} <= set(flanges) else flanges
+    title, file = "", ""
+    members: tuple[str, ...] = ()
+    if isinstance(part, Part):
+        title, file, members = part.description.title, part.description.file, tuple(part.description.members)
     if len(ends) != 2:
         listed = ", ".join(flanges) or "none"
         what = f"gears lead from an input to an output, and the flanges are {listed}"
-        raise ModelError(Problem("part.flanges", what, "call two of them input and output"), part.description.file)
+        raise ModelError(Problem("part.flanges", what, "call two of them input and output"), file)
     values = {parameter.symbol: parameter.value for parameter in part.parameters(name)}
     return layout_of(
         part.elements(name),
         f"{name}.{ends[0]}",
         f"{name}.{ends[1]}",
         values,
-        title=part.description.title,
+        title=title,
         prefix=f"{name}.",
-        members=[f"{name}.{member}" for member in part.description.members],
+        members=[f"{name}.{member}" for member in members],
     )
 
 

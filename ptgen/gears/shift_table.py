@@ -10,7 +10,7 @@ from ptgen.gears.freewheels import with_freewheels
 from ptgen.gears.layout import Layout, TrainKind
 from ptgen.gears.vectors import combined
 
-__all__ = ["NEUTRAL", "gear_ratios", "needed_of", "shift_table_problems"]
+__all__ = ["NEUTRAL", "gear_ratios", "listed", "needed_of", "shift_table_problems"]
 
 NEUTRAL = "N"
 """The one name in a shift table whose elements may leave the output free."""
@@ -78,7 +78,7 @@ def _gear_problems(
             needed = needed_of(every, found.engaged)
             other = first.setdefault(needed, gear)
             if other != gear:
-                what = f"is the same gear as {other}: {_listed(needed)} make both"
+                what = f"is the same gear as {other}: {listed(needed)} make both"
                 problems.append(Problem(place, what, "remove one of them, or engage other elements"))
         elif gear != NEUTRAL or found.state is State.TIE_UP:
             problems.append(Problem(place, _what_is_wrong(found), _remedy(found, gear, table, every)))
@@ -88,11 +88,11 @@ def _gear_problems(
 def _what_is_wrong(found: Combination) -> str:
     if found.state is State.NEUTRAL:
         return (
-            f"is no gear: with {_listed(found.engaged)} engaged the output turns independently of the input "
+            f"is no gear: with {listed(found.engaged)} engaged the output turns independently of the input "
             f"({found.degrees_of_freedom} degrees of freedom)"
         )
     ends = " and ".join(found.blocked)
-    return f"ties up: with {_listed(found.engaged)} engaged the {ends} cannot turn"
+    return f"ties up: with {listed(found.engaged)} engaged the {ends} cannot turn"
 
 
 def _remedy(found: Combination, gear: str, table: Mapping[str, Sequence[str]], every: Sequence[Combination]) -> str:
@@ -102,7 +102,7 @@ def _remedy(found: Combination, gear: str, table: Mapping[str, Sequence[str]], e
     free = [c for c in free if c.engaged not in taken]
     size = len(found.engaged)
     near = sorted(free, key=lambda c: (len(set(c.engaged) ^ set(found.engaged)), abs(len(c.engaged) - size)))[:3]
-    shown = "; ".join(f"{_listed(c.engaged)} give {float(c.ratio or 0):.4g}" for c in near)
+    shown = "; ".join(f"{listed(c.engaged)} give {float(c.ratio or 0):.4g}" for c in near)
     if shown:
         return f"engage other elements, e.g. {shown}"
     ask = "see `ptgen gears FILE --all` for what each combination does"
@@ -158,12 +158,12 @@ def _pairs(names: tuple[str, ...]) -> list[tuple[str, str]]:
     return [(a, b) for k, a in enumerate(names) for b in names[k + 1 :]]
 
 
-def _listed(names: Sequence[str]) -> str:
+def listed(names: Sequence[str]) -> str:
     """Return names as people list them.
 
     Examples
     --------
-    >>> _listed(["A", "B", "C"])
+    >>> listed(["A", "B", "C"])
     'A, B and C'
     """
     if not names:

@@ -7,6 +7,8 @@ from dataclasses import dataclass
 from typing import Literal
 
 from ptgen.components.component import Component, Engagement
+from ptgen.gears import GearAnalysis, Handover, handover, way_round
+from ptgen.gears.changes import Exchange
 from ptgen.testbed.profile import Profile
 
 __all__ = ["NEUTRAL", "Shift", "ShiftCourse", "ShiftKind", "ShiftWish"]
@@ -66,6 +68,8 @@ class ShiftWish:
         Between which times from the start the ratio for control moves (s); None if that follows from the rest.
     profiles : mapping of str to Profile
         Elements with a course of their own, over the time from the start.
+    preselect : float
+        Time in which idle elements change, before the load is handed over and once more afterwards (s).
     """
 
     to: str
@@ -78,6 +82,7 @@ class ShiftWish:
     hold: float = 1.0
     ratio_time: tuple[float, float] | None = None
     profiles: Mapping[str, Profile] | None = None
+    preselect: float = 0.2
 
 
 class ShiftCourse:
@@ -92,10 +97,20 @@ class ShiftCourse:
         At the start.
     ratios : mapping of str to float
         Ratio of each gear, for control; empty if no ratio for control is wanted.
+    analysis : GearAnalysis, optional
+        Of the component, if its gears follow from its layout; without it all elements hand over the load.
     """
 
-    def __init__(self, name: str, component: Component, gear: str, ratios: Mapping[str, float]) -> None:
+    def __init__(
+        self,
+        name: str,
+        component: Component,
+        gear: str,
+        ratios: Mapping[str, float],
+        analysis: GearAnalysis | None = None,
+    ) -> None:
         self.name = name
+        self._analysis = analysis
         self.gears: dict[str, tuple[Engagement, ...]] = {NEUTRAL: (Engagement(()),), **component.engagements()}
         self.gear = gear
         self.end = 0.0
@@ -130,14 +145,29 @@ class ShiftCourse:
         ways = self.gears[to]
         return next((way for way in ways if not set(way.elements) & set(self._way.elements)), ways[0])
 
-    def overlaps(self, to: str) -> bool:
-        """Tell whether a gear can be engaged while the last one still is."""
-        way = self.way(to)
-        changed = bool(self._changes(way))
-        return not changed or (way.preselected and not set(way.elements) & set(self._way.elements))
+    def obstacle(self, to: str) -> str:
+        """Return why a gear cannot be engaged while the last one still is; empty if it can."""
+        return self._handover(to).obstacle
+
+    def way_round(self, to: str) -> str | None:
+        """Return a gear through which two overlapping shifts lead to another gear, if there is one."""
+        return None if self._analysis is None else way_round(self._analysis, self.gear, to)
 
     def _changes(self, way: Engagement) -> dict[str, float]:
         return {key: value for key, value in way.ratios.items() if self._ratios[key][-1][1] != value}
+
+    def _handover(self, to: str) -> Handover:
+        """Return the elements that change on the way to a gear, in their order."""
+        found = None if self._analysis is None else handover(self._analysis, self.gear, to)
+        if found is not None:
+            return found
+        now, way = self._way, self.way(to)
+        changes = self._changes(way)
+        again = set(now.elements) & set(way.elements) if changes else set()
+        release = tuple(e for e in now.elements if e not in way.elements or e in again)
+        apply = tuple(e for e in way.elements if e not in now.elements or e in again)
+        may_overlap = not changes or (way.preselected and not again)
+        return Handover(release, apply, obstacle="" if may_overlap else "its clutch has to open in between")
 
     def shift(self, wish: ShiftWish) -> Shift:
         """Carry out a shift that begins when the last one has ended; return it.
@@ -145,50 +175,72 @@ class ShiftCourse:
         The shift must be possible: the gear exists and is another one, it may overlap if it is to, and the profiles
         begin where their elements are.
         """
-        start, now, way, before = wish.start, self._way, self.way(wish.to), self.gear
-        changes, may_overlap = self._changes(way), self.overlaps(wish.to)
-        kind: ShiftKind = wish.kind or ("overlapping" if may_overlap else "non-overlapping")
+        way, before, order = self.way(wish.to), self.gear, self._handover(wish.to)
+        changes = self._changes(way)
+        kind: ShiftKind = wish.kind or ("non-overlapping" if order.obstacle else "overlapping")
         own = wish.profiles or {}
-        again = set(now.elements) & set(way.elements) if changes else set()
-        off = [e for e in now.elements if e not in way.elements or e in again]
-        on = [e for e in way.elements if e not in now.elements or e in again]
-        release = wish.release if off else 0.0
+        start = wish.start + (wish.preselect if order.before else 0.0)  # of the handover
+        release = wish.release if order.release else 0.0
         if kind == "overlapping":
             overlap = min(wish.release, wish.apply) if wish.overlap is None else wish.overlap
-            pressed = release - overlap if off else 0.0
+            pressed = release - overlap if order.release else 0.0
         else:
-            pressed = release + (wish.pause if off or changes else 0.0)
-        end = max([release] + ([pressed + wish.apply] if on else []) + [p.time[-1] for p in own.values()])
-        for element in off:
-            if element not in own:
-                self._go(element, [(start, self.level(element)), (start + release, 0.0)])
-        for element in on:
-            if element not in own:
-                self._go(element, [(start + pressed, 0.0), (start + pressed + wish.apply, wish.hold)])
+            pressed = release + (wish.pause if order.release or changes or order.between else 0.0)
+        end = start + max(release, pressed + wish.apply if order.apply else 0.0)
+        for element in (*order.release, *order.apply):
+            if element in own:
+                end = max(end, wish.start + own[element].time[-1])
+        self._exchange(order.before, wish.start, start, wish)
+        self._ramps(order.release, start, start + release, 0.0, wish)
+        self._exchange(order.between, start + release, start + pressed, wish)
+        self._ramps(order.apply, start + pressed, start + pressed + wish.apply, wish.hold, wish)
+        handed_over = end
+        if order.after:
+            end += wish.preselect
+            self._exchange(order.after, handed_over, end, wish)
+        end = max([end, *(wish.start + profile.time[-1] for profile in own.values())])
+        moved = {*order.apply, *order.before.apply, *order.between.apply, *order.after.apply, *own}
         for element in way.elements:
-            if element not in on and element not in own and self.level(element) != wish.hold:
-                self._go(element, [(start, self.level(element)), (start + end, wish.hold)])
+            if element not in moved and self.level(element) != wish.hold:
+                self._ramps((element,), wish.start, end, wish.hold, wish)
         for element, profile in own.items():
-            self._go(element, [(start + time, value) for time, value in zip(profile.time, profile.value, strict=True)])
+            own_points = zip(profile.time, profile.value, strict=True)
+            self._go(element, [(wish.start + time, value) for time, value in own_points])
         self._set |= dict.fromkeys(way.ratios)
+        again = set(order.release) & set(order.apply)
         for key, value in changes.items():
             if key not in self._steps:
                 points = [(start + release, self._ratios[key][-1][1]), (start + pressed, value)]
             else:
                 points = [(start + (0.5 * (release + pressed) if again else 0.0), value)]
             _extend(self._ratios[key], points)
-        self._move_control(wish, before, release, pressed, bool(off or changes) and kind == "non-overlapping")
-        self._way, self.gear, self.end = way, wish.to, start + end
-        return Shift(self.name, before, wish.to, start, start + end, kind)
+        paused = bool(order.release or changes) and kind == "non-overlapping"
+        self._move_control(wish, start - wish.start, release, pressed, paused)
+        self._way, self.gear, self.end = way, wish.to, end
+        return Shift(self.name, before, wish.to, wish.start, end, kind)
 
-    def _move_control(self, wish: ShiftWish, before: str, release: float, pressed: float, paused: bool) -> None:
+    def _exchange(self, idle: Exchange, start: float, end: float, wish: ShiftWish) -> None:
+        """Let idle elements open, and then others close."""
+        middle = 0.5 * (start + end)
+        self._ramps(idle.release, start, middle if idle.apply else end, 0.0, wish)
+        self._ramps(idle.apply, middle if idle.release else start, end, wish.hold, wish)
+
+    def _ramps(self, elements: Sequence[str], start: float, end: float, level: float, wish: ShiftWish) -> None:
+        """Let elements go to a level, those that have no course of their own."""
+        for element in elements:
+            if element not in (wish.profiles or {}):
+                self._go(element, [(start, self.level(element)), (end, level)])
+
+    def _move_control(self, wish: ShiftWish, lead: float, release: float, pressed: float, paused: bool) -> None:
         """Move the ratio for control: while nothing is transmitted, or else while the next elements are pressed."""
         if wish.to not in self._known:
             return
-        window = wish.ratio_time or ((release, pressed) if paused else (pressed, pressed + wish.apply))
+        window = wish.ratio_time or (
+            (lead + release, lead + pressed) if paused else (lead + pressed, lead + pressed + wish.apply)
+        )
         value = self._known[wish.to]
         if not self._control:
-            self._control = [(0.0, self._known.get(before, value))]
+            self._control = [(0.0, self._known.get(self.gear, value))]
         points = [(wish.start + window[0], self._control[-1][1]), (wish.start + window[1], value)]
         _extend(self._control, points)
 

@@ -11,6 +11,7 @@ from pydantic import Field
 
 from ptgen.components.component import Quantity, Record
 from ptgen.errors import Problem, nearest
+from ptgen.gears import analyse_gears, layout_of_part
 from ptgen.testbed.gear_tables import known_ratios
 from ptgen.testbed.problems import dotted, shown, validated
 from ptgen.testbed.profile import Bounds, Points, Profile, Recording, read_profile
@@ -38,6 +39,7 @@ class ShiftSection(Record):
     apply: Annotated[float, Quantity(_DURATION, "time in which elements are pressed")] = 0.3
     overlap: Annotated[float, Quantity(_DURATION, "time for which both last", positive=False)] | None = None
     pause: Annotated[float, Quantity(_DURATION, "time between the two in which nothing is transmitted")] | None = None
+    preselect: Annotated[float, Quantity(_DURATION, "time in which idle elements change before, and afterwards")] = 0.2
     hold: Annotated[float, Quantity("", "share of the capacity to which engaged elements are pressed")] = 1.0
     ratio_time: (
         tuple[
@@ -100,7 +102,8 @@ def read_shifts(
     problems += found
     names = dict.fromkeys([*start, *(entry.section.component for entry in entries)])
     unclear = _unclear(problems, gears, shifts)
-    courses = {name: _course(name, start.get(name, NEUTRAL), testbed) for name in names}
+    shifting = {entry.section.component for entry in entries}
+    courses = {name: _course(name, start.get(name, NEUTRAL), testbed, name in shifting) for name in names}
     done: list[Shift] = []
     for entry in sorted(entries, key=lambda entry: entry.section.time):
         course = courses[entry.section.component]
@@ -155,13 +158,16 @@ class _Entry:
         return dotted("shifts", self.index, *path)
 
 
-def _course(name: str, gear: str, testbed: Testbed) -> ShiftCourse:
+def _course(name: str, gear: str, testbed: Testbed, shifts: bool) -> ShiftCourse:
     component, table = testbed.components[name], testbed.gear_tables.get(name)
     has_own = any(key == "ratio" for key in component.spans())
     wanted: Mapping[str, float] = {}
     if name in testbed.ratios and not has_own:
         wanted = table.gears if table is not None else known_ratios(component)
-    return ShiftCourse(name, component, gear, wanted)
+    elements = component.gear_elements()
+    fixed = not any(way.ratios for ways in component.engagements().values() for way in ways)
+    analysis = analyse_gears(layout_of_part(component, name), elements) if shifts and elements and fixed else None
+    return ShiftCourse(name, component, gear, wanted, analysis)
 
 
 def _shiftable(testbed: Testbed) -> list[str]:
@@ -288,6 +294,7 @@ def _wish(entry: _Entry) -> ShiftWish:
         release=section.release,
         apply=section.apply,
         pause=0.2 if section.pause is None else section.pause,
+        preselect=section.preselect,
         overlap=section.overlap,
         hold=section.hold,
         ratio_time=section.ratio_time,
@@ -317,12 +324,13 @@ def _check(entry: _Entry, course: ShiftCourse, duration: float | None) -> list[P
         problems.append(Problem(entry.where("to"), what, "name another gear, or remove the shift"))
     if problems:
         return problems
-    if _kind(section) == "overlapping" and not course.overlaps(section.to):
-        what = (
-            f'"{name}" cannot shift from {course.gear} to {section.to} overlapping: its clutch has to open in between'
-        )
-        key = "kind" if section.kind is not None else "overlap"
-        return [Problem(entry.where(key), what, 'write kind = "non-overlapping", with a pause')]
+    obstacle = course.obstacle(section.to)
+    if _kind(section) == "overlapping" and obstacle:
+        what = f'"{name}" cannot shift from {course.gear} to {section.to} overlapping: {obstacle}'
+        through = course.way_round(section.to)
+        remedy = 'write kind = "non-overlapping", with a pause'
+        remedy += f", or shift to {through} first" if through is not None else ""
+        return [Problem(entry.where("kind" if section.kind is not None else "overlap"), what, remedy)]
     if section.ratio_time is not None and course.control() is None and section.to != NEUTRAL:
         what = f'"{name}" has no ratio for control that shifts could move'
         return [Problem(entry.where("ratio_time"), what, "list it in [reduction] as_ratio of the bed, or remove this")]

@@ -18,7 +18,7 @@ from ptgen.mechanism.model import Model, NumericModel
 from ptgen.plant.plant import plant_block
 from ptgen.simulate.compiler import compile_library
 from ptgen.simulate.library import CompiledBlock
-from ptgen.testbed import load
+from ptgen.testbed import Testbed, load
 
 __all__ = ["ELEMENTS", "GEARS", "ORDER", "Balance", "Rig", "rig", "shift_course", "shifted", "turn"]
 
@@ -49,7 +49,7 @@ damping = "2 N m s/rad"
 
 [components.gears]
 type = "part"
-file = "nine-speed.toml"
+file = "{part}"
 {more}
 
 [components.shaft2]
@@ -74,23 +74,25 @@ speed_bandwidth = "25 rad/s"
 class Rig:
     """Model and compiled plant of the rig."""
 
+    testbed: Testbed
     model: Model
     numeric: NumericModel
     plant: CompiledBlock
 
 
 @functools.cache
-def rig(step: str = "100 us", more: str = "") -> Rig:
+def rig(step: str = "100 us", more: str = "", part: str = "nine-speed.toml") -> Rig:
     """Return the rig with a step, and with more keys of the part."""
     folder = Path(tempfile.mkdtemp(prefix="ptgen-gears-"))
-    (folder / "rig.toml").write_text(_BED.format(step=step, more=more))
+    (folder / "rig.toml").write_text(_BED.format(step=step, more=more, part=part))
     testbed = load(folder / "rig.toml")
     model = assemble(Mechanism.of(testbed))
     block = plant_block(model, testbed.sample_time)
     for file, text in block_files([block], common_context("rig", "rig", "0" * 16, "double")).items():
         (folder / file).write_text(text)
     compile_library(sorted(folder.glob("*.c")), folder / "librig.so")
-    return Rig(model, model.numeric(), CompiledBlock(block, "rig", ctypes.CDLL(str(folder / "librig.so")), "double"))
+    plant = CompiledBlock(block, "rig", ctypes.CDLL(str(folder / "librig.so")), "double")
+    return Rig(testbed, model, model.numeric(), plant)
 
 
 def shift_course(gears: Sequence[str], dwell: float, ramp: float, times: np.ndarray) -> np.ndarray:
