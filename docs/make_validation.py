@@ -18,7 +18,7 @@ from pathlib import Path
 DOCS = Path(__file__).resolve().parent
 sys.path.insert(0, str(DOCS))
 
-from validation import direct, experiments, gearboxes, governors  # noqa: E402
+from validation import direct, experiments, gearboxes, governors, joints, shifts  # noqa: E402
 from validation.case import Case, Number  # noqa: E402
 
 from ptgen.report.figures import save_figure  # noqa: E402
@@ -28,7 +28,14 @@ __all__ = ["CASES", "differences", "main", "page"]
 PAGE = DOCS / "validation.md"
 FIGURES = DOCS / "figures" / "validation"
 NUMBERS = FIGURES / "numbers.json"
-CASES: tuple[Case, ...] = (*direct.CASES, *gearboxes.CASES, *experiments.CASES, *governors.CASES)
+CASES: tuple[Case, ...] = (
+    *direct.CASES,
+    *joints.CASES,
+    *shifts.CASES,
+    *gearboxes.CASES,
+    *experiments.CASES,
+    *governors.CASES,
+)
 
 HEAD = """# Validation
 

@@ -18,11 +18,14 @@ from ptgen.emit.project import generate, project_files
 from ptgen.errors import PtgenError
 from ptgen.project import Project
 
+BEDS = Path(__file__).resolve().parents[2] / "testbeds"
 STRICT = ["-std=c99", "-O2", "-Wall", "-Wextra", "-Wconversion", "-Wdouble-promotion", "-pedantic", "-Werror"]
 
 
-def test_generated_folder_is_what_the_beds_give(project: Project, root: Path) -> None:
+@pytest.mark.parametrize("stem", sorted(path.stem for path in BEDS.glob("*.toml")))
+def test_generated_folder_is_what_the_beds_give(stem: str, projects: dict[str, Project], root: Path) -> None:
     """If this fails on purpose: run ``make generated`` and look at the differences before committing them."""
+    project = projects[stem.replace("-", "_")]
     folder = root / "generated" / project.testbed.name.replace("_", "-")
     committed = {str(p.relative_to(folder)): p.read_bytes() for p in folder.rglob("*") if p.is_file()}
     emitted = {name: text.encode() if isinstance(text, str) else text for name, text in project_files(project).items()}

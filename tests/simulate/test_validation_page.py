@@ -13,7 +13,8 @@ import pytest
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 SOURCE = [
-    "2.6", "5.9", "5.12", "5.13", "5.14", "5.15", "5.16", "5.17", "5.18", "6.2", "6.4", "6.6", "6.7", "6.9",
+    "2.6", "3.17", "3.20", "4.12", "4.13", "4.14", "4.15",
+    "5.9", "5.12", "5.13", "5.14", "5.15", "5.16", "5.17", "5.18", "6.2", "6.4", "6.6", "6.7", "6.9",
     "7.5", "7.6", "7.7", "7.11", "7.12", "7.13", "7.14",
 ]  # fmt: skip
 
@@ -72,6 +73,13 @@ def test_claims_of_the_source() -> None:
     assert abs(kept("figure-5-12", "frequency of the ringing") - 1.3) < 0.1
     assert kept("figure-5-12", "its damping ratio, integrator 1 /s") < 0
     assert kept("figure-5-13", "least damping ratio around the first mode") > 0.7
+    for name in ("n1", "n2", "T1", "T2"):
+        assert kept("figure-4-12", f"greatest difference of {name}, I to II") < 1e-9
+    pause = [kept("figure-4-12", f"acceleration of M1 in the pause, {model}") for model in ("detailed", "II")]
+    assert abs(pause[0] / pause[1] - (0.41 + 0.0034) / (0.41 + 0.0285)) < 2e-3  # rotor, flange, gearbox
+    for key in ("figure-4-12", "figure-4-14"):
+        assert kept(key, "rms difference of n1, detailed to II") < 15
+        assert abs(kept(key, "duration of the shift, II") - kept(key, "duration of the shift, detailed")) < 0.02
     inertia = "largest torque error, I1 "
     assert kept("figure-5-14", f"{inertia}= 0") > 3 * kept("figure-5-14", f"{inertia}= rotor of M1")
     assert kept("figure-5-14", f"{inertia}= rotor of M1") > 3 * kept("figure-5-14", f"{inertia}from the full model")
