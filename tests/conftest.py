@@ -35,6 +35,7 @@ TORQUE_BEDS = [
     "differential_gearboxes",
     "differential_governed",
     "differential_output_torque",
+    "transmission",
     "transmission_fixed_gear",
 ]
 """The shipped beds that control one torque."""

@@ -95,10 +95,11 @@ def lock_rule(mechanism: Mechanism, name: str) -> AppliedRule:
 
 def fluid_rule(fluid: FluidCoupling, locked: Collection[str]) -> AppliedRule:
     """Return the rule that leaves out the torques of a fluid."""
-    why = "no linear function of the speeds; its torques are disturbances of pump and turbine"
-    if f"{fluid.name.rpartition('.')[0]}.lockup" in locked:
-        why = "pump and turbine turn as one while the lock-up clutch sticks, and without slip the fluid has no torque"
-    return AppliedRule("leave out", fluid.name, why, {})
+    if f"{fluid.name.rpartition('.')[0]}.lockup" not in locked:
+        why = "no linear function of the speeds; its torques are disturbances of pump and turbine"
+        return AppliedRule("leave out", fluid.name, why, {})
+    why = "pump and turbine turn as one while the lock-up clutch sticks, and at 0 rad/s of slip the fluid has no torque"
+    return AppliedRule("leave out", fluid.name, why, {"slip": 0.0})
 
 
 def idle_rule(mechanism: Mechanism, part: IdlePart) -> AppliedRule:

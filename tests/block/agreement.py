@@ -48,6 +48,7 @@ def random_batch(block: Block, size: int, seed: int) -> Batch:
         states[signal.name] = value.reshape((size, *signal.shape))
     if "fault" in states:
         states |= _supervision(block, size, rng)
+        states |= {s.name: rng.uniform(0, 1, size) for s in block.states if s.name.endswith("_source_now")}
     inputs = {s.name: rng.normal(size=size) * _magnitude(s, "") for s in block.inputs}
     inputs |= {s.name: rng.uniform(s.least, s.most, size) for s in block.inputs if s.most is not None}
     if "fault" in states:  # some inputs are implausible

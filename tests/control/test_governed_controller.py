@@ -36,6 +36,7 @@ SCENARIOS = {
     "differential_gearboxes": "differential-gearboxes-run",
     "differential_governed": "differential-governed-run",
     "differential_output_torque": "differential-output-torque-run",
+    "transmission": "transmission-run",
     "transmission_fixed_gear": "transmission-fixed-gear-run",
 }
 
