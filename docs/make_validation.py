@@ -18,7 +18,7 @@ from pathlib import Path
 DOCS = Path(__file__).resolve().parent
 sys.path.insert(0, str(DOCS))
 
-from validation import direct, experiments, gearboxes, governors, joints, shifts  # noqa: E402
+from validation import direct, experiments, gearboxes, governors, joints, shifts, transmissions  # noqa: E402
 from validation.case import Case, Number  # noqa: E402
 
 from ptgen.report.figures import save_figure  # noqa: E402
@@ -33,6 +33,7 @@ CASES: tuple[Case, ...] = (
     *joints.CASES,
     *shifts.CASES,
     *gearboxes.CASES,
+    *transmissions.CASES,
     *experiments.CASES,
     *governors.CASES,
 )

@@ -87,6 +87,7 @@ typedef struct {
     const real *c;
     const real *lo;
     const real *hi;
+    real pivot; /* smaller ones, relative to the diagonal, are none */
     int work;
 } box;
 
@@ -173,19 +174,24 @@ static int solve_free(const real *H, int count, const int *free, real rounding, 
     return 1;
 }
 
-/* Whether the elements that may hold something hold independent motions; the others have their torques already. */
-static int is_unique(const real *K, const real *lo, const real *hi)
+/*
+ * Whether the elements that may hold something hold independent motions; the others have their torques already. Those
+ * strictly inside their bounds are known to be independent, as T was solved for.
+ */
+static int is_unique(const box *b, const real *T)
 {
     int free[n];
     real none[n], d[n];
     int count = 0;
+    int inside = 1;
     for (int i = 0; i < n; ++i) {
         none[i] = 0.0;
-        if (lo[i] < hi[i]) {
+        if (b->lo[i] < b->hi[i]) {
             free[count++] = i;
+            inside = inside && b->lo[i] < T[i] && T[i] < b->hi[i];
         }
     }
-    return solve_free(K, count, free, sqrt(DBL_EPSILON), none, d);
+    return inside || solve_free(b->H, count, free, b->pivot, none, d);
 }
 
 /* By how much the function falls from T to `end`. */
@@ -223,7 +229,7 @@ static int face_step(const box *b, int change_only, real *T, int *count, int *fr
         from[free[k]] = 0.0;
     }
     unbalanced(b, from, r);
-    if (!solve_free(b->H, *count, free, no_pivot, r, d)) {
+    if (!solve_free(b->H, *count, free, b->pivot, r, d)) {
         return -1;
     }
     for (int k = 0; k < *count; ++k) {
@@ -348,7 +354,7 @@ static int solve(int deficient, const real *K, const real *w, const real *lo, co
 {
     real r[n];
     int work = 0;
-    box b = { .H = K, .c = w, .lo = lo, .hi = hi, .work = 0 };
+    box b = { .H = K, .c = w, .lo = lo, .hi = hi, .pivot = no_pivot, .work = 0 };
     int decided = 1;
     for (int i = 0; i < n; ++i) {
         T[i] = clip(T[i], lo[i], hi[i]);
@@ -357,8 +363,10 @@ static int solve(int deficient, const real *K, const real *w, const real *lo, co
     if (decided) {
         residual(K, w, T, r, size);
     } else {
-        const int unique = !deficient || is_unique(K, lo, hi);
-        int found = (unique && descend(&b, T, r, size)) || least_norm(&b, deficient, K, w, T, r, size);
+        b.pivot = deficient ? sqrt(DBL_EPSILON) : no_pivot;
+        int found = descend(&b, T, r, size) && (!deficient || is_unique(&b, T));
+        b.pivot = no_pivot;
+        found = found || least_norm(&b, deficient, K, w, T, r, size);
         if (!found) { /* from where that ended */
             b.H = K;
             b.c = w;

@@ -294,6 +294,8 @@ transmission_nine_speed_plant_status transmission_nine_speed_plant_update(transm
         }
     }
     memset(s->transition, 0, sizeof s->transition);
+    memset(s->G, 0, sizeof s->G);
+    memset(s->L, 0, sizeof s->L);
     memset(s->gears_input_torque_reaction, 0, sizeof s->gears_input_torque_reaction);
     memset(s->gamma, 0, sizeof s->gamma);
     memset(s->K, 0, sizeof s->K);
@@ -318,6 +320,27 @@ transmission_nine_speed_plant_status transmission_nine_speed_plant_update(transm
     transmission_nine_speed_zero(sizeof early, early);
     transmission_nine_speed_zero(sizeof rates, rates);
     
+    /* friction velocities per velocity */
+    s->G[1][5] = 1.0 / p->gears_P2_ratio;
+    s->G[2][5] = -1.0 / p->gears_P2_ratio;
+    s->G[4][5] = (-p->gears_P2_ratio - 1.0) / (p->gears_P1_ratio * p->gears_P2_ratio);
+    s->G[1][6] = (p->gears_P2_ratio * p->gears_P3_ratio * p->gears_P4_ratio - p->gears_P3_ratio - p->gears_P4_ratio
+        - 1.0) / (p->gears_P2_ratio * p->gears_P3_ratio * p->gears_P4_ratio + p->gears_P2_ratio * p->gears_P3_ratio
+        + p->gears_P2_ratio * p->gears_P4_ratio + p->gears_P2_ratio);
+    s->G[2][6] = (p->gears_P3_ratio + p->gears_P4_ratio + 1.0) / (p->gears_P2_ratio * p->gears_P3_ratio *
+        p->gears_P4_ratio + p->gears_P2_ratio * p->gears_P3_ratio + p->gears_P2_ratio * p->gears_P4_ratio +
+        p->gears_P2_ratio);
+    s->G[3][6] = -p->gears_P3_ratio * p->gears_P4_ratio / (p->gears_P3_ratio * p->gears_P4_ratio + p->gears_P3_ratio
+        + p->gears_P4_ratio + 1.0);
+    s->G[4][6] = (p->gears_P1_ratio * p->gears_P2_ratio * p->gears_P3_ratio * p->gears_P4_ratio + p->gears_P1_ratio
+        * p->gears_P2_ratio * p->gears_P3_ratio + p->gears_P1_ratio * p->gears_P2_ratio * p->gears_P4_ratio +
+        p->gears_P1_ratio * p->gears_P2_ratio + p->gears_P2_ratio * p->gears_P3_ratio + p->gears_P2_ratio *
+        p->gears_P4_ratio + p->gears_P2_ratio + p->gears_P3_ratio + p->gears_P4_ratio + 1.0) / (p->gears_P1_ratio *
+        p->gears_P2_ratio * p->gears_P3_ratio * p->gears_P4_ratio + p->gears_P1_ratio * p->gears_P2_ratio *
+        p->gears_P3_ratio + p->gears_P1_ratio * p->gears_P2_ratio * p->gears_P4_ratio + p->gears_P1_ratio *
+        p->gears_P2_ratio);
+    /* twists of shafts with backlash per twist */
+    s->L[2][1] = (p->gears_P2_ratio + 1.0) / (p->gears_P2_ratio * p->gears_P3_ratio + p->gears_P2_ratio);
     /* M = S' I S */
     mass[0][0] = p->converter_inertia_pump;
     mass[1][0] = p->converter_inertia_pump;
@@ -1569,55 +1592,18 @@ void transmission_nine_speed_plant_measure(const transmission_nine_speed_plant_s
     out->gears_C_torque = s->friction_torque[3];
     out->gears_D_speed = s->x[4];
     out->gears_D_torque = s->friction_torque[4];
-    out->gears_E_speed = transmission_nine_speed_select(transmission_nine_speed_abs(-s->x[1] / p->gears_P2_ratio +
-        s->x[2] / p->gears_P2_ratio + s->x[4] * (p->gears_P2_ratio + 1.0) / (p->gears_P1_ratio * p->gears_P2_ratio))
-        < p->standstill_speed + s->velocity_rounding * (transmission_nine_speed_abs(s->x[1]) / p->gears_P2_ratio +
-        transmission_nine_speed_abs(s->x[2]) / p->gears_P2_ratio + (p->gears_P2_ratio + 1.0) *
-        transmission_nine_speed_abs(s->x[4]) / (p->gears_P1_ratio * p->gears_P2_ratio)), 0.0, s->x[1] /
-        p->gears_P2_ratio - s->x[2] / p->gears_P2_ratio + s->x[4] * (-p->gears_P2_ratio - 1.0) / (p->gears_P1_ratio
-        * p->gears_P2_ratio));
+    out->gears_E_speed = transmission_nine_speed_select(transmission_nine_speed_abs(s->G[1][5] * s->x[1] +
+        s->G[2][5] * s->x[2] + s->G[4][5] * s->x[4]) < p->standstill_speed + s->velocity_rounding *
+        (transmission_nine_speed_abs(s->G[1][5] * s->x[1]) + transmission_nine_speed_abs(s->G[2][5] * s->x[2]) +
+        transmission_nine_speed_abs(s->G[4][5] * s->x[4])), 0.0, s->G[1][5] * s->x[1] + s->G[2][5] * s->x[2] +
+        s->G[4][5] * s->x[4]);
     out->gears_E_torque = s->friction_torque[5];
-    out->gears_F_speed = transmission_nine_speed_select(transmission_nine_speed_abs(p->gears_P3_ratio *
-        p->gears_P4_ratio * s->x[3] / (p->gears_P3_ratio * p->gears_P4_ratio + p->gears_P3_ratio + p->gears_P4_ratio
-        + 1.0) + s->x[1] * (-p->gears_P2_ratio * p->gears_P3_ratio * p->gears_P4_ratio + p->gears_P3_ratio +
-        p->gears_P4_ratio + 1.0) / (p->gears_P2_ratio * p->gears_P3_ratio * p->gears_P4_ratio + p->gears_P2_ratio *
-        p->gears_P3_ratio + p->gears_P2_ratio * p->gears_P4_ratio + p->gears_P2_ratio) - s->x[2] *
-        (p->gears_P3_ratio + p->gears_P4_ratio + 1.0) / (p->gears_P2_ratio * p->gears_P3_ratio * p->gears_P4_ratio +
-        p->gears_P2_ratio * p->gears_P3_ratio + p->gears_P2_ratio * p->gears_P4_ratio + p->gears_P2_ratio) - s->x[4]
-        * (p->gears_P1_ratio * p->gears_P2_ratio * p->gears_P3_ratio * p->gears_P4_ratio + p->gears_P1_ratio *
-        p->gears_P2_ratio * p->gears_P3_ratio + p->gears_P1_ratio * p->gears_P2_ratio * p->gears_P4_ratio +
-        p->gears_P1_ratio * p->gears_P2_ratio + p->gears_P2_ratio * p->gears_P3_ratio + p->gears_P2_ratio *
-        p->gears_P4_ratio + p->gears_P2_ratio + p->gears_P3_ratio + p->gears_P4_ratio + 1.0) / (p->gears_P1_ratio *
-        p->gears_P2_ratio * p->gears_P3_ratio * p->gears_P4_ratio + p->gears_P1_ratio * p->gears_P2_ratio *
-        p->gears_P3_ratio + p->gears_P1_ratio * p->gears_P2_ratio * p->gears_P4_ratio + p->gears_P1_ratio *
-        p->gears_P2_ratio)) < p->standstill_speed + s->velocity_rounding * (p->gears_P3_ratio * p->gears_P4_ratio *
-        transmission_nine_speed_abs(s->x[3]) / (p->gears_P3_ratio * p->gears_P4_ratio + p->gears_P3_ratio +
-        p->gears_P4_ratio + 1.0) + (p->gears_P3_ratio + p->gears_P4_ratio + 1.0) *
-        transmission_nine_speed_abs(s->x[2]) / (p->gears_P2_ratio * p->gears_P3_ratio * p->gears_P4_ratio +
-        p->gears_P2_ratio * p->gears_P3_ratio + p->gears_P2_ratio * p->gears_P4_ratio + p->gears_P2_ratio) +
-        (p->gears_P1_ratio * p->gears_P2_ratio * p->gears_P3_ratio * p->gears_P4_ratio + p->gears_P1_ratio *
-        p->gears_P2_ratio * p->gears_P3_ratio + p->gears_P1_ratio * p->gears_P2_ratio * p->gears_P4_ratio +
-        p->gears_P1_ratio * p->gears_P2_ratio + p->gears_P2_ratio * p->gears_P3_ratio + p->gears_P2_ratio *
-        p->gears_P4_ratio + p->gears_P2_ratio + p->gears_P3_ratio + p->gears_P4_ratio + 1.0) *
-        transmission_nine_speed_abs(s->x[4]) / (p->gears_P1_ratio * p->gears_P2_ratio * p->gears_P3_ratio *
-        p->gears_P4_ratio + p->gears_P1_ratio * p->gears_P2_ratio * p->gears_P3_ratio + p->gears_P1_ratio *
-        p->gears_P2_ratio * p->gears_P4_ratio + p->gears_P1_ratio * p->gears_P2_ratio) +
-        transmission_nine_speed_abs(s->x[1] * (-p->gears_P2_ratio * p->gears_P3_ratio * p->gears_P4_ratio +
-        p->gears_P3_ratio + p->gears_P4_ratio + 1.0)) / (p->gears_P2_ratio * p->gears_P3_ratio * p->gears_P4_ratio +
-        p->gears_P2_ratio * p->gears_P3_ratio + p->gears_P2_ratio * p->gears_P4_ratio + p->gears_P2_ratio)), 0.0,
-        -p->gears_P3_ratio * p->gears_P4_ratio * s->x[3] / (p->gears_P3_ratio * p->gears_P4_ratio +
-        p->gears_P3_ratio + p->gears_P4_ratio + 1.0) + s->x[1] * (p->gears_P2_ratio * p->gears_P3_ratio *
-        p->gears_P4_ratio - p->gears_P3_ratio - p->gears_P4_ratio - 1.0) / (p->gears_P2_ratio * p->gears_P3_ratio *
-        p->gears_P4_ratio + p->gears_P2_ratio * p->gears_P3_ratio + p->gears_P2_ratio * p->gears_P4_ratio +
-        p->gears_P2_ratio) + s->x[2] * (p->gears_P3_ratio + p->gears_P4_ratio + 1.0) / (p->gears_P2_ratio *
-        p->gears_P3_ratio * p->gears_P4_ratio + p->gears_P2_ratio * p->gears_P3_ratio + p->gears_P2_ratio *
-        p->gears_P4_ratio + p->gears_P2_ratio) + s->x[4] * (p->gears_P1_ratio * p->gears_P2_ratio *
-        p->gears_P3_ratio * p->gears_P4_ratio + p->gears_P1_ratio * p->gears_P2_ratio * p->gears_P3_ratio +
-        p->gears_P1_ratio * p->gears_P2_ratio * p->gears_P4_ratio + p->gears_P1_ratio * p->gears_P2_ratio +
-        p->gears_P2_ratio * p->gears_P3_ratio + p->gears_P2_ratio * p->gears_P4_ratio + p->gears_P2_ratio +
-        p->gears_P3_ratio + p->gears_P4_ratio + 1.0) / (p->gears_P1_ratio * p->gears_P2_ratio * p->gears_P3_ratio *
-        p->gears_P4_ratio + p->gears_P1_ratio * p->gears_P2_ratio * p->gears_P3_ratio + p->gears_P1_ratio *
-        p->gears_P2_ratio * p->gears_P4_ratio + p->gears_P1_ratio * p->gears_P2_ratio));
+    out->gears_F_speed = transmission_nine_speed_select(transmission_nine_speed_abs(s->G[1][6] * s->x[1] +
+        s->G[2][6] * s->x[2] + s->G[3][6] * s->x[3] + s->G[4][6] * s->x[4]) < p->standstill_speed +
+        s->velocity_rounding * (transmission_nine_speed_abs(s->G[1][6] * s->x[1]) +
+        transmission_nine_speed_abs(s->G[2][6] * s->x[2]) + transmission_nine_speed_abs(s->G[3][6] * s->x[3]) +
+        transmission_nine_speed_abs(s->G[4][6] * s->x[4])), 0.0, s->G[1][6] * s->x[1] + s->G[2][6] * s->x[2] +
+        s->G[3][6] * s->x[3] + s->G[4][6] * s->x[4]);
     out->gears_F_torque = s->friction_torque[6];
     out->converter_fluid_pump_torque = s->fluid_torque[0];
     out->converter_fluid_turbine_torque = s->fluid_torque[1];
@@ -1745,13 +1731,11 @@ transmission_nine_speed_plant_status transmission_nine_speed_plant_step(transmis
         s->friction_torque[2] * s->gamma[2][10] + s->friction_torque[3] * s->gamma[3][10] + s->friction_torque[4] *
         s->gamma[4][10] + s->friction_torque[5] * s->gamma[5][10] + s->friction_torque[6] * s->gamma[6][10] +
         s->gamma[10][10] * mean_torque[10] + s->gamma[9][10] * mean_torque[9] + x_free[10];
-    twist_start[1] = s->x[11] * (p->gears_P2_ratio + 1.0) / (p->gears_P2_ratio * p->gears_P3_ratio +
-        p->gears_P2_ratio);
-    twist_free[1] = (p->gears_P2_ratio + 1.0) * (s->friction_torque[0] * s->gamma[0][11] + s->friction_torque[1] *
-        s->gamma[1][11] + s->friction_torque[2] * s->gamma[2][11] + s->friction_torque[3] * s->gamma[3][11] +
-        s->friction_torque[4] * s->gamma[4][11] + s->friction_torque[5] * s->gamma[5][11] + s->friction_torque[6] *
-        s->gamma[6][11] + s->gamma[10][11] * mean_torque[10] + s->gamma[9][11] * mean_torque[9] + x_free[11]) /
-        (p->gears_P2_ratio * p->gears_P3_ratio + p->gears_P2_ratio);
+    twist_start[1] = s->L[2][1] * s->x[11];
+    twist_free[1] = s->L[2][1] * (s->friction_torque[0] * s->gamma[0][11] + s->friction_torque[1] * s->gamma[1][11]
+        + s->friction_torque[2] * s->gamma[2][11] + s->friction_torque[3] * s->gamma[3][11] + s->friction_torque[4]
+        * s->gamma[4][11] + s->friction_torque[5] * s->gamma[5][11] + s->friction_torque[6] * s->gamma[6][11] +
+        s->gamma[10][11] * mean_torque[10] + s->gamma[9][11] * mean_torque[9] + x_free[11]);
     /* (3.5) as a mean over the step */
     transmission_nine_speed_backlash_step(&s->kappa[0][0], twist_start, twist_free, s->half_gap,
         s->contact_stiffness, s->contact_damping, contact_mean);
@@ -1763,54 +1747,16 @@ transmission_nine_speed_plant_status transmission_nine_speed_plant_step(transmis
     w_start[2] = s->x[2];
     w_start[3] = s->x[3];
     w_start[4] = s->x[4];
-    w_start[5] = transmission_nine_speed_select(transmission_nine_speed_abs(-s->x[1] / p->gears_P2_ratio + s->x[2] /
-        p->gears_P2_ratio + s->x[4] * (p->gears_P2_ratio + 1.0) / (p->gears_P1_ratio * p->gears_P2_ratio)) <
-        p->standstill_speed + s->velocity_rounding * (transmission_nine_speed_abs(s->x[1]) / p->gears_P2_ratio +
-        transmission_nine_speed_abs(s->x[2]) / p->gears_P2_ratio + (p->gears_P2_ratio + 1.0) *
-        transmission_nine_speed_abs(s->x[4]) / (p->gears_P1_ratio * p->gears_P2_ratio)), 0.0, s->x[1] /
-        p->gears_P2_ratio - s->x[2] / p->gears_P2_ratio + s->x[4] * (-p->gears_P2_ratio - 1.0) / (p->gears_P1_ratio
-        * p->gears_P2_ratio));
-    w_start[6] = transmission_nine_speed_select(transmission_nine_speed_abs(p->gears_P3_ratio * p->gears_P4_ratio *
-        s->x[3] / (p->gears_P3_ratio * p->gears_P4_ratio + p->gears_P3_ratio + p->gears_P4_ratio + 1.0) + s->x[1] *
-        (-p->gears_P2_ratio * p->gears_P3_ratio * p->gears_P4_ratio + p->gears_P3_ratio + p->gears_P4_ratio + 1.0) /
-        (p->gears_P2_ratio * p->gears_P3_ratio * p->gears_P4_ratio + p->gears_P2_ratio * p->gears_P3_ratio +
-        p->gears_P2_ratio * p->gears_P4_ratio + p->gears_P2_ratio) - s->x[2] * (p->gears_P3_ratio +
-        p->gears_P4_ratio + 1.0) / (p->gears_P2_ratio * p->gears_P3_ratio * p->gears_P4_ratio + p->gears_P2_ratio *
-        p->gears_P3_ratio + p->gears_P2_ratio * p->gears_P4_ratio + p->gears_P2_ratio) - s->x[4] *
-        (p->gears_P1_ratio * p->gears_P2_ratio * p->gears_P3_ratio * p->gears_P4_ratio + p->gears_P1_ratio *
-        p->gears_P2_ratio * p->gears_P3_ratio + p->gears_P1_ratio * p->gears_P2_ratio * p->gears_P4_ratio +
-        p->gears_P1_ratio * p->gears_P2_ratio + p->gears_P2_ratio * p->gears_P3_ratio + p->gears_P2_ratio *
-        p->gears_P4_ratio + p->gears_P2_ratio + p->gears_P3_ratio + p->gears_P4_ratio + 1.0) / (p->gears_P1_ratio *
-        p->gears_P2_ratio * p->gears_P3_ratio * p->gears_P4_ratio + p->gears_P1_ratio * p->gears_P2_ratio *
-        p->gears_P3_ratio + p->gears_P1_ratio * p->gears_P2_ratio * p->gears_P4_ratio + p->gears_P1_ratio *
-        p->gears_P2_ratio)) < p->standstill_speed + s->velocity_rounding * (p->gears_P3_ratio * p->gears_P4_ratio *
-        transmission_nine_speed_abs(s->x[3]) / (p->gears_P3_ratio * p->gears_P4_ratio + p->gears_P3_ratio +
-        p->gears_P4_ratio + 1.0) + (p->gears_P3_ratio + p->gears_P4_ratio + 1.0) *
-        transmission_nine_speed_abs(s->x[2]) / (p->gears_P2_ratio * p->gears_P3_ratio * p->gears_P4_ratio +
-        p->gears_P2_ratio * p->gears_P3_ratio + p->gears_P2_ratio * p->gears_P4_ratio + p->gears_P2_ratio) +
-        (p->gears_P1_ratio * p->gears_P2_ratio * p->gears_P3_ratio * p->gears_P4_ratio + p->gears_P1_ratio *
-        p->gears_P2_ratio * p->gears_P3_ratio + p->gears_P1_ratio * p->gears_P2_ratio * p->gears_P4_ratio +
-        p->gears_P1_ratio * p->gears_P2_ratio + p->gears_P2_ratio * p->gears_P3_ratio + p->gears_P2_ratio *
-        p->gears_P4_ratio + p->gears_P2_ratio + p->gears_P3_ratio + p->gears_P4_ratio + 1.0) *
-        transmission_nine_speed_abs(s->x[4]) / (p->gears_P1_ratio * p->gears_P2_ratio * p->gears_P3_ratio *
-        p->gears_P4_ratio + p->gears_P1_ratio * p->gears_P2_ratio * p->gears_P3_ratio + p->gears_P1_ratio *
-        p->gears_P2_ratio * p->gears_P4_ratio + p->gears_P1_ratio * p->gears_P2_ratio) +
-        transmission_nine_speed_abs(s->x[1] * (-p->gears_P2_ratio * p->gears_P3_ratio * p->gears_P4_ratio +
-        p->gears_P3_ratio + p->gears_P4_ratio + 1.0)) / (p->gears_P2_ratio * p->gears_P3_ratio * p->gears_P4_ratio +
-        p->gears_P2_ratio * p->gears_P3_ratio + p->gears_P2_ratio * p->gears_P4_ratio + p->gears_P2_ratio)), 0.0,
-        -p->gears_P3_ratio * p->gears_P4_ratio * s->x[3] / (p->gears_P3_ratio * p->gears_P4_ratio +
-        p->gears_P3_ratio + p->gears_P4_ratio + 1.0) + s->x[1] * (p->gears_P2_ratio * p->gears_P3_ratio *
-        p->gears_P4_ratio - p->gears_P3_ratio - p->gears_P4_ratio - 1.0) / (p->gears_P2_ratio * p->gears_P3_ratio *
-        p->gears_P4_ratio + p->gears_P2_ratio * p->gears_P3_ratio + p->gears_P2_ratio * p->gears_P4_ratio +
-        p->gears_P2_ratio) + s->x[2] * (p->gears_P3_ratio + p->gears_P4_ratio + 1.0) / (p->gears_P2_ratio *
-        p->gears_P3_ratio * p->gears_P4_ratio + p->gears_P2_ratio * p->gears_P3_ratio + p->gears_P2_ratio *
-        p->gears_P4_ratio + p->gears_P2_ratio) + s->x[4] * (p->gears_P1_ratio * p->gears_P2_ratio *
-        p->gears_P3_ratio * p->gears_P4_ratio + p->gears_P1_ratio * p->gears_P2_ratio * p->gears_P3_ratio +
-        p->gears_P1_ratio * p->gears_P2_ratio * p->gears_P4_ratio + p->gears_P1_ratio * p->gears_P2_ratio +
-        p->gears_P2_ratio * p->gears_P3_ratio + p->gears_P2_ratio * p->gears_P4_ratio + p->gears_P2_ratio +
-        p->gears_P3_ratio + p->gears_P4_ratio + 1.0) / (p->gears_P1_ratio * p->gears_P2_ratio * p->gears_P3_ratio *
-        p->gears_P4_ratio + p->gears_P1_ratio * p->gears_P2_ratio * p->gears_P3_ratio + p->gears_P1_ratio *
-        p->gears_P2_ratio * p->gears_P4_ratio + p->gears_P1_ratio * p->gears_P2_ratio));
+    w_start[5] = transmission_nine_speed_select(transmission_nine_speed_abs(s->G[1][5] * s->x[1] + s->G[2][5] *
+        s->x[2] + s->G[4][5] * s->x[4]) < p->standstill_speed + s->velocity_rounding *
+        (transmission_nine_speed_abs(s->G[1][5] * s->x[1]) + transmission_nine_speed_abs(s->G[2][5] * s->x[2]) +
+        transmission_nine_speed_abs(s->G[4][5] * s->x[4])), 0.0, s->G[1][5] * s->x[1] + s->G[2][5] * s->x[2] +
+        s->G[4][5] * s->x[4]);
+    w_start[6] = transmission_nine_speed_select(transmission_nine_speed_abs(s->G[1][6] * s->x[1] + s->G[2][6] *
+        s->x[2] + s->G[3][6] * s->x[3] + s->G[4][6] * s->x[4]) < p->standstill_speed + s->velocity_rounding *
+        (transmission_nine_speed_abs(s->G[1][6] * s->x[1]) + transmission_nine_speed_abs(s->G[2][6] * s->x[2]) +
+        transmission_nine_speed_abs(s->G[3][6] * s->x[3]) + transmission_nine_speed_abs(s->G[4][6] * s->x[4])), 0.0,
+        s->G[1][6] * s->x[1] + s->G[2][6] * s->x[2] + s->G[3][6] * s->x[3] + s->G[4][6] * s->x[4]);
     /* speed at mid-step */
     const transmission_nine_speed_real converter_lockup_mid_speed = (0.5) *
         transmission_nine_speed_abs(contact_mean[0] * s->gamma[7][0] + contact_mean[1] * s->gamma[8][0] +
@@ -1864,56 +1810,44 @@ transmission_nine_speed_plant_status transmission_nine_speed_plant_step(transmis
     slide[4] = in->gears_D_actuation * (p->gears_D_capacity + gears_D_mid_speed * p->gears_D_viscous);
     rest[4] = in->gears_D_actuation * p->gears_D_capacity;
     /* speed at mid-step */
-    const transmission_nine_speed_real gears_E_mid_speed = (0.5) * transmission_nine_speed_abs(w_start[5] +
+    const transmission_nine_speed_real gears_E_mid_speed = (0.5) * transmission_nine_speed_abs(s->G[1][5] *
         (contact_mean[0] * s->gamma[7][1] + contact_mean[1] * s->gamma[8][1] + s->friction_torque[0] *
         s->gamma[0][1] + s->friction_torque[1] * s->gamma[1][1] + s->friction_torque[2] * s->gamma[2][1] +
         s->friction_torque[3] * s->gamma[3][1] + s->friction_torque[4] * s->gamma[4][1] + s->friction_torque[5] *
         s->gamma[5][1] + s->friction_torque[6] * s->gamma[6][1] + s->gamma[10][1] * mean_torque[10] + s->gamma[9][1]
-        * mean_torque[9] + x_free[1]) / p->gears_P2_ratio - (contact_mean[0] * s->gamma[7][2] + contact_mean[1] *
+        * mean_torque[9] + x_free[1]) + s->G[2][5] * (contact_mean[0] * s->gamma[7][2] + contact_mean[1] *
         s->gamma[8][2] + s->friction_torque[0] * s->gamma[0][2] + s->friction_torque[1] * s->gamma[1][2] +
         s->friction_torque[2] * s->gamma[2][2] + s->friction_torque[3] * s->gamma[3][2] + s->friction_torque[4] *
         s->gamma[4][2] + s->friction_torque[5] * s->gamma[5][2] + s->friction_torque[6] * s->gamma[6][2] +
-        s->gamma[10][2] * mean_torque[10] + s->gamma[9][2] * mean_torque[9] + x_free[2]) / p->gears_P2_ratio +
-        (-p->gears_P2_ratio - 1.0) * (contact_mean[0] * s->gamma[7][4] + contact_mean[1] * s->gamma[8][4] +
-        s->friction_torque[0] * s->gamma[0][4] + s->friction_torque[1] * s->gamma[1][4] + s->friction_torque[2] *
-        s->gamma[2][4] + s->friction_torque[3] * s->gamma[3][4] + s->friction_torque[4] * s->gamma[4][4] +
-        s->friction_torque[5] * s->gamma[5][4] + s->friction_torque[6] * s->gamma[6][4] + s->gamma[10][4] *
-        mean_torque[10] + s->gamma[9][4] * mean_torque[9] + x_free[4]) / (p->gears_P1_ratio * p->gears_P2_ratio));
+        s->gamma[10][2] * mean_torque[10] + s->gamma[9][2] * mean_torque[9] + x_free[2]) + s->G[4][5] *
+        (contact_mean[0] * s->gamma[7][4] + contact_mean[1] * s->gamma[8][4] + s->friction_torque[0] *
+        s->gamma[0][4] + s->friction_torque[1] * s->gamma[1][4] + s->friction_torque[2] * s->gamma[2][4] +
+        s->friction_torque[3] * s->gamma[3][4] + s->friction_torque[4] * s->gamma[4][4] + s->friction_torque[5] *
+        s->gamma[5][4] + s->friction_torque[6] * s->gamma[6][4] + s->gamma[10][4] * mean_torque[10] + s->gamma[9][4]
+        * mean_torque[9] + x_free[4]) + w_start[5]);
     /* capacities at mid-step, (3.12), (3.34), (3.35) */
     slide[5] = in->gears_E_actuation * (p->gears_E_capacity + gears_E_mid_speed * p->gears_E_viscous);
     rest[5] = in->gears_E_actuation * p->gears_E_capacity;
     /* speed at mid-step */
-    const transmission_nine_speed_real gears_F_mid_speed = (0.5) * transmission_nine_speed_abs(-p->gears_P3_ratio *
-        p->gears_P4_ratio * (contact_mean[0] * s->gamma[7][3] + contact_mean[1] * s->gamma[8][3] +
-        s->friction_torque[0] * s->gamma[0][3] + s->friction_torque[1] * s->gamma[1][3] + s->friction_torque[2] *
-        s->gamma[2][3] + s->friction_torque[3] * s->gamma[3][3] + s->friction_torque[4] * s->gamma[4][3] +
-        s->friction_torque[5] * s->gamma[5][3] + s->friction_torque[6] * s->gamma[6][3] + s->gamma[10][3] *
-        mean_torque[10] + s->gamma[9][3] * mean_torque[9] + x_free[3]) / (p->gears_P3_ratio * p->gears_P4_ratio +
-        p->gears_P3_ratio + p->gears_P4_ratio + 1.0) + w_start[6] + (p->gears_P3_ratio + p->gears_P4_ratio + 1.0) *
-        (contact_mean[0] * s->gamma[7][2] + contact_mean[1] * s->gamma[8][2] + s->friction_torque[0] *
-        s->gamma[0][2] + s->friction_torque[1] * s->gamma[1][2] + s->friction_torque[2] * s->gamma[2][2] +
-        s->friction_torque[3] * s->gamma[3][2] + s->friction_torque[4] * s->gamma[4][2] + s->friction_torque[5] *
-        s->gamma[5][2] + s->friction_torque[6] * s->gamma[6][2] + s->gamma[10][2] * mean_torque[10] + s->gamma[9][2]
-        * mean_torque[9] + x_free[2]) / (p->gears_P2_ratio * p->gears_P3_ratio * p->gears_P4_ratio +
-        p->gears_P2_ratio * p->gears_P3_ratio + p->gears_P2_ratio * p->gears_P4_ratio + p->gears_P2_ratio) +
-        (p->gears_P2_ratio * p->gears_P3_ratio * p->gears_P4_ratio - p->gears_P3_ratio - p->gears_P4_ratio - 1.0) *
+    const transmission_nine_speed_real gears_F_mid_speed = (0.5) * transmission_nine_speed_abs(s->G[1][6] *
         (contact_mean[0] * s->gamma[7][1] + contact_mean[1] * s->gamma[8][1] + s->friction_torque[0] *
         s->gamma[0][1] + s->friction_torque[1] * s->gamma[1][1] + s->friction_torque[2] * s->gamma[2][1] +
         s->friction_torque[3] * s->gamma[3][1] + s->friction_torque[4] * s->gamma[4][1] + s->friction_torque[5] *
         s->gamma[5][1] + s->friction_torque[6] * s->gamma[6][1] + s->gamma[10][1] * mean_torque[10] + s->gamma[9][1]
-        * mean_torque[9] + x_free[1]) / (p->gears_P2_ratio * p->gears_P3_ratio * p->gears_P4_ratio +
-        p->gears_P2_ratio * p->gears_P3_ratio + p->gears_P2_ratio * p->gears_P4_ratio + p->gears_P2_ratio) +
-        (p->gears_P1_ratio * p->gears_P2_ratio * p->gears_P3_ratio * p->gears_P4_ratio + p->gears_P1_ratio *
-        p->gears_P2_ratio * p->gears_P3_ratio + p->gears_P1_ratio * p->gears_P2_ratio * p->gears_P4_ratio +
-        p->gears_P1_ratio * p->gears_P2_ratio + p->gears_P2_ratio * p->gears_P3_ratio + p->gears_P2_ratio *
-        p->gears_P4_ratio + p->gears_P2_ratio + p->gears_P3_ratio + p->gears_P4_ratio + 1.0) * (contact_mean[0] *
-        s->gamma[7][4] + contact_mean[1] * s->gamma[8][4] + s->friction_torque[0] * s->gamma[0][4] +
-        s->friction_torque[1] * s->gamma[1][4] + s->friction_torque[2] * s->gamma[2][4] + s->friction_torque[3] *
-        s->gamma[3][4] + s->friction_torque[4] * s->gamma[4][4] + s->friction_torque[5] * s->gamma[5][4] +
-        s->friction_torque[6] * s->gamma[6][4] + s->gamma[10][4] * mean_torque[10] + s->gamma[9][4] * mean_torque[9]
-        + x_free[4]) / (p->gears_P1_ratio * p->gears_P2_ratio * p->gears_P3_ratio * p->gears_P4_ratio +
-        p->gears_P1_ratio * p->gears_P2_ratio * p->gears_P3_ratio + p->gears_P1_ratio * p->gears_P2_ratio *
-        p->gears_P4_ratio + p->gears_P1_ratio * p->gears_P2_ratio));
+        * mean_torque[9] + x_free[1]) + s->G[2][6] * (contact_mean[0] * s->gamma[7][2] + contact_mean[1] *
+        s->gamma[8][2] + s->friction_torque[0] * s->gamma[0][2] + s->friction_torque[1] * s->gamma[1][2] +
+        s->friction_torque[2] * s->gamma[2][2] + s->friction_torque[3] * s->gamma[3][2] + s->friction_torque[4] *
+        s->gamma[4][2] + s->friction_torque[5] * s->gamma[5][2] + s->friction_torque[6] * s->gamma[6][2] +
+        s->gamma[10][2] * mean_torque[10] + s->gamma[9][2] * mean_torque[9] + x_free[2]) + s->G[3][6] *
+        (contact_mean[0] * s->gamma[7][3] + contact_mean[1] * s->gamma[8][3] + s->friction_torque[0] *
+        s->gamma[0][3] + s->friction_torque[1] * s->gamma[1][3] + s->friction_torque[2] * s->gamma[2][3] +
+        s->friction_torque[3] * s->gamma[3][3] + s->friction_torque[4] * s->gamma[4][3] + s->friction_torque[5] *
+        s->gamma[5][3] + s->friction_torque[6] * s->gamma[6][3] + s->gamma[10][3] * mean_torque[10] + s->gamma[9][3]
+        * mean_torque[9] + x_free[3]) + s->G[4][6] * (contact_mean[0] * s->gamma[7][4] + contact_mean[1] *
+        s->gamma[8][4] + s->friction_torque[0] * s->gamma[0][4] + s->friction_torque[1] * s->gamma[1][4] +
+        s->friction_torque[2] * s->gamma[2][4] + s->friction_torque[3] * s->gamma[3][4] + s->friction_torque[4] *
+        s->gamma[4][4] + s->friction_torque[5] * s->gamma[5][4] + s->friction_torque[6] * s->gamma[6][4] +
+        s->gamma[10][4] * mean_torque[10] + s->gamma[9][4] * mean_torque[9] + x_free[4]) + w_start[6]);
     /* capacities at mid-step, (3.12), (3.34), (3.35) */
     slide[6] = in->gears_F_actuation * (p->gears_F_capacity + gears_F_mid_speed * p->gears_F_viscous);
     rest[6] = in->gears_F_actuation * p->gears_F_capacity;
@@ -1928,31 +1862,18 @@ transmission_nine_speed_plant_status transmission_nine_speed_plant_step(transmis
         mean_torque[10] + s->gamma[9][3] * mean_torque[9] + x_free[3];
     w_free[4] = contact_mean[0] * s->gamma[7][4] + contact_mean[1] * s->gamma[8][4] + s->gamma[10][4] *
         mean_torque[10] + s->gamma[9][4] * mean_torque[9] + x_free[4];
-    w_free[5] = (contact_mean[0] * s->gamma[7][1] + contact_mean[1] * s->gamma[8][1] + s->gamma[10][1] *
-        mean_torque[10] + s->gamma[9][1] * mean_torque[9] + x_free[1]) / p->gears_P2_ratio - (contact_mean[0] *
+    w_free[5] = s->G[1][5] * (contact_mean[0] * s->gamma[7][1] + contact_mean[1] * s->gamma[8][1] + s->gamma[10][1]
+        * mean_torque[10] + s->gamma[9][1] * mean_torque[9] + x_free[1]) + s->G[2][5] * (contact_mean[0] *
         s->gamma[7][2] + contact_mean[1] * s->gamma[8][2] + s->gamma[10][2] * mean_torque[10] + s->gamma[9][2] *
-        mean_torque[9] + x_free[2]) / p->gears_P2_ratio + (-p->gears_P2_ratio - 1.0) * (contact_mean[0] *
-        s->gamma[7][4] + contact_mean[1] * s->gamma[8][4] + s->gamma[10][4] * mean_torque[10] + s->gamma[9][4] *
-        mean_torque[9] + x_free[4]) / (p->gears_P1_ratio * p->gears_P2_ratio);
-    w_free[6] = -p->gears_P3_ratio * p->gears_P4_ratio * (contact_mean[0] * s->gamma[7][3] + contact_mean[1] *
-        s->gamma[8][3] + s->gamma[10][3] * mean_torque[10] + s->gamma[9][3] * mean_torque[9] + x_free[3]) /
-        (p->gears_P3_ratio * p->gears_P4_ratio + p->gears_P3_ratio + p->gears_P4_ratio + 1.0) + (p->gears_P3_ratio +
-        p->gears_P4_ratio + 1.0) * (contact_mean[0] * s->gamma[7][2] + contact_mean[1] * s->gamma[8][2] +
-        s->gamma[10][2] * mean_torque[10] + s->gamma[9][2] * mean_torque[9] + x_free[2]) / (p->gears_P2_ratio *
-        p->gears_P3_ratio * p->gears_P4_ratio + p->gears_P2_ratio * p->gears_P3_ratio + p->gears_P2_ratio *
-        p->gears_P4_ratio + p->gears_P2_ratio) + (p->gears_P2_ratio * p->gears_P3_ratio * p->gears_P4_ratio -
-        p->gears_P3_ratio - p->gears_P4_ratio - 1.0) * (contact_mean[0] * s->gamma[7][1] + contact_mean[1] *
-        s->gamma[8][1] + s->gamma[10][1] * mean_torque[10] + s->gamma[9][1] * mean_torque[9] + x_free[1]) /
-        (p->gears_P2_ratio * p->gears_P3_ratio * p->gears_P4_ratio + p->gears_P2_ratio * p->gears_P3_ratio +
-        p->gears_P2_ratio * p->gears_P4_ratio + p->gears_P2_ratio) + (contact_mean[0] * s->gamma[7][4] +
-        contact_mean[1] * s->gamma[8][4] + s->gamma[10][4] * mean_torque[10] + s->gamma[9][4] * mean_torque[9] +
-        x_free[4]) * (p->gears_P1_ratio * p->gears_P2_ratio * p->gears_P3_ratio * p->gears_P4_ratio +
-        p->gears_P1_ratio * p->gears_P2_ratio * p->gears_P3_ratio + p->gears_P1_ratio * p->gears_P2_ratio *
-        p->gears_P4_ratio + p->gears_P1_ratio * p->gears_P2_ratio + p->gears_P2_ratio * p->gears_P3_ratio +
-        p->gears_P2_ratio * p->gears_P4_ratio + p->gears_P2_ratio + p->gears_P3_ratio + p->gears_P4_ratio + 1.0) /
-        (p->gears_P1_ratio * p->gears_P2_ratio * p->gears_P3_ratio * p->gears_P4_ratio + p->gears_P1_ratio *
-        p->gears_P2_ratio * p->gears_P3_ratio + p->gears_P1_ratio * p->gears_P2_ratio * p->gears_P4_ratio +
-        p->gears_P1_ratio * p->gears_P2_ratio);
+        mean_torque[9] + x_free[2]) + s->G[4][5] * (contact_mean[0] * s->gamma[7][4] + contact_mean[1] *
+        s->gamma[8][4] + s->gamma[10][4] * mean_torque[10] + s->gamma[9][4] * mean_torque[9] + x_free[4]);
+    w_free[6] = s->G[1][6] * (contact_mean[0] * s->gamma[7][1] + contact_mean[1] * s->gamma[8][1] + s->gamma[10][1]
+        * mean_torque[10] + s->gamma[9][1] * mean_torque[9] + x_free[1]) + s->G[2][6] * (contact_mean[0] *
+        s->gamma[7][2] + contact_mean[1] * s->gamma[8][2] + s->gamma[10][2] * mean_torque[10] + s->gamma[9][2] *
+        mean_torque[9] + x_free[2]) + s->G[3][6] * (contact_mean[0] * s->gamma[7][3] + contact_mean[1] *
+        s->gamma[8][3] + s->gamma[10][3] * mean_torque[10] + s->gamma[9][3] * mean_torque[9] + x_free[3]) +
+        s->G[4][6] * (contact_mean[0] * s->gamma[7][4] + contact_mean[1] * s->gamma[8][4] + s->gamma[10][4] *
+        mean_torque[10] + s->gamma[9][4] * mean_torque[9] + x_free[4]);
     /* what sticks, slips and passes zero */
     transmission_nine_speed_friction_step(1, 0, &s->K[0][0], w_start, w_free, slide, rest, s->friction_torque,
         s->friction_rest, friction_mean, w_plus, &s->friction_status);
@@ -1982,8 +1903,7 @@ transmission_nine_speed_plant_status transmission_nine_speed_plant_step(transmis
         transmission_nine_speed_min(s->half_gap[0], shaft1_twist))) + transmission_nine_speed_select(s->half_gap[0]
         < transmission_nine_speed_abs(shaft1_twist), p->shaft1_damping * (-s->x[0] - s->x[1] - s->x[4] + s->x[7]),
         0.0);
-    const transmission_nine_speed_real shaft2_twist = s->x[11] * (p->gears_P2_ratio + 1.0) / (p->gears_P2_ratio *
-        p->gears_P3_ratio + p->gears_P2_ratio);
+    const transmission_nine_speed_real shaft2_twist = s->L[2][1] * s->x[11];
     s->contact_torque[1] = p->shaft2_stiffness * (shaft2_twist - transmission_nine_speed_max(-s->half_gap[1],
         transmission_nine_speed_min(s->half_gap[1], shaft2_twist))) + transmission_nine_speed_select(s->half_gap[1]
         < transmission_nine_speed_abs(shaft2_twist), p->shaft2_damping * (p->gears_P3_ratio * s->x[3] /

@@ -174,6 +174,8 @@ typedef struct {
     transmission_nine_speed_real transition[19][16]; /* x at the end of the step without friction torques */
     transmission_nine_speed_real M1_dead_steps; /* whole steps of dead time */
     transmission_nine_speed_real M2_dead_steps; /* whole steps of dead time */
+    transmission_nine_speed_real G[9][8]; /* friction velocities per velocity */
+    transmission_nine_speed_real L[4][4]; /* twists of shafts with backlash per twist */
     transmission_nine_speed_real gears_input_torque_reaction[28]; /* gears_input_torque per velocity, twist, input, friction and contact, fluid */
     transmission_nine_speed_real gamma[11][16]; /* x at the end of the step per friction, contact and fluid torque */
     transmission_nine_speed_real velocity_rounding; /* share of a sum of velocities that is rounding */

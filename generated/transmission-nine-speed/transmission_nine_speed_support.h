@@ -117,7 +117,23 @@ static inline void transmission_nine_speed_add_product(int n, int m, transmissio
     const transmission_nine_speed_real *restrict A, const transmission_nine_speed_real *restrict T)
 {
     const int rows = transmission_nine_speed_padded(n);
-    for (int i = 0; i < n; ++i) {
+    int i = 0;
+    for (; i + 4 <= n; i += 4) { /* y may be longer than n and has no padding */
+        const transmission_nine_speed_real *a = A + i;
+        transmission_nine_speed_real s0 = x[i], s1 = x[i + 1], s2 = x[i + 2], s3 = x[i + 3];
+        for (int j = 0; j < m; ++j) {
+            s0 += a[0] * T[j];
+            s1 += a[1] * T[j];
+            s2 += a[2] * T[j];
+            s3 += a[3] * T[j];
+            a += rows;
+        }
+        y[i] = s0;
+        y[i + 1] = s1;
+        y[i + 2] = s2;
+        y[i + 3] = s3;
+    }
+    for (; i < n; ++i) {
         transmission_nine_speed_real sum = x[i];
         for (int j = 0; j < m; ++j) {
             sum += A[j * rows + i] * T[j];

@@ -138,7 +138,7 @@ def test_names_do_not_overlap(project):
 def test_chains_pass_every_connection(project):
     bed = project.testbed
     found = chains(bed)
-    ends = {"all_wheel_drive": 7, "back_to_back": 1, "clutch_rig": 1, "transmission_fixed_gear": 1}
+    ends = {"all_wheel_drive": 7, "back_to_back": 1, "clutch_rig": 1, "transmission": 1, "transmission_fixed_gear": 1}
     assert len(found) == ends.get(bed.name, 3)
     assert sum(len(chain) for chain in found) == 2 * len(bed.connections)
 

@@ -14,7 +14,8 @@ import pytest
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 SOURCE = [
     "2.6", "3.17", "3.20", "4.12", "4.13", "4.14", "4.15",
-    "5.9", "5.12", "5.13", "5.14", "5.15", "5.16", "5.17", "5.18", "6.2", "6.4", "6.6", "6.7", "6.9",
+    "5.9", "5.12", "5.13", "5.14", "5.15", "5.16", "5.17", "5.18", "5.20", "5.21",
+    "6.2", "6.4", "6.6", "6.7", "6.9",
     "7.5", "7.6", "7.7", "7.11", "7.12", "7.13", "7.14",
 ]  # fmt: skip
 
@@ -95,5 +96,10 @@ def test_claims_of_the_source() -> None:
     assert (
         kept("figure-5-18", "overshoot, damping ratio 0.2") > 20 > 1 > kept("figure-5-18", "overshoot, damping ratio 1")
     )
+    for shift in ("downshift", "upshift"):
+        for what in ("largest torque at flange 1", "largest torque at flange 2", "largest speed error of M2"):
+            assert 2 * kept("figure-5-20", f"{what}, {shift}, proposed") < kept(
+                "figure-5-20", f"{what}, {shift}, conventional"
+            )
     assert abs(kept("figure-6-6", "frequency of the ringing") - 17) < 0.5
     assert kept("figure-6-7", "speed error of M2, with compensation") < 1
