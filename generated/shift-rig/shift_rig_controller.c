@@ -15,7 +15,7 @@ const shift_rig_controller_params shift_rig_controller_defaults = {
     .hold_time = 0.001,
     .flange1_torque_ref_plausible = 4500.0,
     .M2_speed_ref_plausible = 706.8583470577036,
-    .gears_ratio_plausible = 8.25483091787434,
+    .gears_ratio_plausible = 8.254830917874397,
     .M1_speed_plausible = 1256.637061435917,
     .flange1_torque_plausible = 4500.0,
     .flange2_torque_plausible = 24800.0,
@@ -34,8 +34,8 @@ const shift_rig_controller_params shift_rig_controller_defaults = {
     .M2_speed_max = 471.238898038469,
     .M2_speed_taper = 23.5619,
     .M2_torque_max = 3300.0,
-    .gears_ratio_least = -4.931561996779355,
-    .gears_ratio_most = 5.503220611916227,
+    .gears_ratio_least = -4.931561996779388,
+    .gears_ratio_most = 5.503220611916264,
     .gears_ratio_source = 0.0,
     .gears_ratio_least_speed = 4.71,
     .gears_ratio_estimate_time = 0.02,
@@ -77,7 +77,7 @@ const shift_rig_controller_params shift_rig_controller_conventional = {
     .hold_time = 0.001,
     .flange1_torque_ref_plausible = 4500.0,
     .M2_speed_ref_plausible = 706.8583470577036,
-    .gears_ratio_plausible = 8.25483091787434,
+    .gears_ratio_plausible = 8.254830917874397,
     .M1_speed_plausible = 1256.637061435917,
     .flange1_torque_plausible = 4500.0,
     .flange2_torque_plausible = 24800.0,
@@ -96,8 +96,8 @@ const shift_rig_controller_params shift_rig_controller_conventional = {
     .M2_speed_max = 471.238898038469,
     .M2_speed_taper = 23.5619,
     .M2_torque_max = 3300.0,
-    .gears_ratio_least = -4.931561996779355,
-    .gears_ratio_most = 5.503220611916227,
+    .gears_ratio_least = -4.931561996779388,
+    .gears_ratio_most = 5.503220611916264,
     .gears_ratio_source = 0.0,
     .gears_ratio_least_speed = 4.71,
     .gears_ratio_estimate_time = 0.02,
@@ -505,16 +505,16 @@ shift_rig_controller_status shift_rig_controller_step(shift_rig_controller_state
         shift_rig_abs(gears_ratio_behind), s->gears_ratio_estimate_share * (-gears_ratio_estimate_before +
         gears_ratio_quotient), 0.0);
     /* a settled estimate is the ratio of a gear */
-    const shift_rig_real gears_ratio_nearest = shift_rig_select(s->gears_ratio_estimate <= -2.1650422115074264,
-        -4.931561996779355, shift_rig_select(s->gears_ratio_estimate <= 0.6590721202155839, 0.6014775737645022,
-        shift_rig_select(s->gears_ratio_estimate <= 0.7909028023077853, 0.7166666666666657,
-        shift_rig_select(s->gears_ratio_estimate <= 0.932569468974453, 0.8651389379489048,
-        shift_rig_select(s->gears_ratio_estimate <= 1.105292792792795, 1.0000000000000013,
-        shift_rig_select(s->gears_ratio_estimate <= 1.4358483483483515, 1.2105855855855885,
-        shift_rig_select(s->gears_ratio_estimate <= 1.9879629629629605, 1.6611111111111145,
-        shift_rig_select(s->gears_ratio_estimate <= 2.8240740740740753, 2.3148148148148064,
-        shift_rig_select(s->gears_ratio_estimate <= 4.418276972624786, 3.3333333333333446,
-        5.503220611916227)))))))));
+    const shift_rig_real gears_ratio_nearest = shift_rig_select(s->gears_ratio_estimate <= -2.1650422115074432,
+        -4.931561996779388, shift_rig_select(s->gears_ratio_estimate <= 0.6590721202155843, 0.6014775737645017,
+        shift_rig_select(s->gears_ratio_estimate <= 0.7909028023077829, 0.7166666666666667,
+        shift_rig_select(s->gears_ratio_estimate <= 0.9325694689744495, 0.8651389379488991,
+        shift_rig_select(s->gears_ratio_estimate <= 1.1052927927927927, 1.0,
+        shift_rig_select(s->gears_ratio_estimate <= 1.4358483483483484, 1.2105855855855856,
+        shift_rig_select(s->gears_ratio_estimate <= 1.9879629629629632, 1.6611111111111112,
+        shift_rig_select(s->gears_ratio_estimate <= 2.8240740740740744, 2.314814814814815,
+        shift_rig_select(s->gears_ratio_estimate <= 4.418276972624799, 3.3333333333333335,
+        5.503220611916264)))))))));
     s->gears_ratio_near_time = shift_rig_select(p->gears_ratio_tolerance * shift_rig_abs(gears_ratio_nearest) >=
         shift_rig_abs(s->gears_ratio_estimate - gears_ratio_nearest), shift_rig_min(s->gears_ratio_near_time +
         p->sample_time, p->gears_ratio_settle_time + p->sample_time), 0.0);

@@ -26,7 +26,7 @@ static long read_profiles(const char *path)
     int count = 0;
     long rows = 0;
     for (int k = 0; k < POINTS; ++k) {
-        values[8][k] = 5.503220611916227;
+        values[8][k] = 5.503220611916264;
     }
     FILE *file = fopen(path, "r");
     if (!file) {

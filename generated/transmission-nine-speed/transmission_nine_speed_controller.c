@@ -15,7 +15,7 @@ const transmission_nine_speed_controller_params transmission_nine_speed_controll
     .hold_time = 0.001,
     .gears_input_torque_ref_plausible = 4950.0,
     .M2_speed_ref_plausible = 706.8583470577036,
-    .gears_ratio_plausible = 8.25483091787434,
+    .gears_ratio_plausible = 8.254830917874397,
     .M1_speed_plausible = 1256.637061435917,
     .flange1_torque_plausible = 4950.0,
     .flange2_torque_plausible = 16500.0,
@@ -34,8 +34,8 @@ const transmission_nine_speed_controller_params transmission_nine_speed_controll
     .M2_speed_max = 471.238898038469,
     .M2_speed_taper = 23.5619,
     .M2_torque_max = 3300.0,
-    .gears_ratio_least = -4.931561996779355,
-    .gears_ratio_most = 5.503220611916227,
+    .gears_ratio_least = -4.931561996779388,
+    .gears_ratio_most = 5.503220611916264,
     .gears_ratio_source = 0.0,
     .gears_ratio_least_speed = 4.71,
     .gears_ratio_estimate_time = 0.02,
@@ -77,7 +77,7 @@ const transmission_nine_speed_controller_params transmission_nine_speed_controll
     .hold_time = 0.001,
     .gears_input_torque_ref_plausible = 4950.0,
     .M2_speed_ref_plausible = 706.8583470577036,
-    .gears_ratio_plausible = 8.25483091787434,
+    .gears_ratio_plausible = 8.254830917874397,
     .M1_speed_plausible = 1256.637061435917,
     .flange1_torque_plausible = 4950.0,
     .flange2_torque_plausible = 16500.0,
@@ -96,8 +96,8 @@ const transmission_nine_speed_controller_params transmission_nine_speed_controll
     .M2_speed_max = 471.238898038469,
     .M2_speed_taper = 23.5619,
     .M2_torque_max = 3300.0,
-    .gears_ratio_least = -4.931561996779355,
-    .gears_ratio_most = 5.503220611916227,
+    .gears_ratio_least = -4.931561996779388,
+    .gears_ratio_most = 5.503220611916264,
     .gears_ratio_source = 0.0,
     .gears_ratio_least_speed = 4.71,
     .gears_ratio_estimate_time = 0.02,
@@ -537,15 +537,15 @@ transmission_nine_speed_controller_status transmission_nine_speed_controller_ste
         (-gears_ratio_estimate_before + gears_ratio_quotient), 0.0);
     /* a settled estimate is the ratio of a gear */
     const transmission_nine_speed_real gears_ratio_nearest = transmission_nine_speed_select(s->gears_ratio_estimate
-        <= -2.1650422115074264, -4.931561996779355, transmission_nine_speed_select(s->gears_ratio_estimate <=
-        0.6590721202155839, 0.6014775737645022, transmission_nine_speed_select(s->gears_ratio_estimate <=
-        0.7909028023077853, 0.7166666666666657, transmission_nine_speed_select(s->gears_ratio_estimate <=
-        0.932569468974453, 0.8651389379489048, transmission_nine_speed_select(s->gears_ratio_estimate <=
-        1.105292792792795, 1.0000000000000013, transmission_nine_speed_select(s->gears_ratio_estimate <=
-        1.4358483483483515, 1.2105855855855885, transmission_nine_speed_select(s->gears_ratio_estimate <=
-        1.9879629629629605, 1.6611111111111145, transmission_nine_speed_select(s->gears_ratio_estimate <=
-        2.8240740740740753, 2.3148148148148064, transmission_nine_speed_select(s->gears_ratio_estimate <=
-        4.418276972624786, 3.3333333333333446, 5.503220611916227)))))))));
+        <= -2.1650422115074432, -4.931561996779388, transmission_nine_speed_select(s->gears_ratio_estimate <=
+        0.6590721202155843, 0.6014775737645017, transmission_nine_speed_select(s->gears_ratio_estimate <=
+        0.7909028023077829, 0.7166666666666667, transmission_nine_speed_select(s->gears_ratio_estimate <=
+        0.9325694689744495, 0.8651389379488991, transmission_nine_speed_select(s->gears_ratio_estimate <=
+        1.1052927927927927, 1.0, transmission_nine_speed_select(s->gears_ratio_estimate <= 1.4358483483483484,
+        1.2105855855855856, transmission_nine_speed_select(s->gears_ratio_estimate <= 1.9879629629629632,
+        1.6611111111111112, transmission_nine_speed_select(s->gears_ratio_estimate <= 2.8240740740740744,
+        2.314814814814815, transmission_nine_speed_select(s->gears_ratio_estimate <= 4.418276972624799,
+        3.3333333333333335, 5.503220611916264)))))))));
     s->gears_ratio_near_time = transmission_nine_speed_select(p->gears_ratio_tolerance *
         transmission_nine_speed_abs(gears_ratio_nearest) >= transmission_nine_speed_abs(s->gears_ratio_estimate -
         gears_ratio_nearest), transmission_nine_speed_min(s->gears_ratio_near_time + p->sample_time,

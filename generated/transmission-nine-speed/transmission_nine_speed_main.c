@@ -26,7 +26,7 @@ static long read_profiles(const char *path)
     int count = 0;
     long rows = 0;
     for (int k = 0; k < POINTS; ++k) {
-        values[9][k] = 3.3333333333333446;
+        values[9][k] = 3.3333333333333335;
     }
     FILE *file = fopen(path, "r");
     if (!file) {

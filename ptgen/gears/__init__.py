@@ -4,6 +4,7 @@ from ptgen.gears.analysis import GearAnalysis, analyse_gears
 from ptgen.gears.combinations import Combination, State
 from ptgen.gears.gear import Gear
 from ptgen.gears.handover import Handover, handover, way_round
+from ptgen.gears.inertia import input_inertia
 from ptgen.gears.joined import layout_of, layout_of_part
 from ptgen.gears.layout import Layout
 from ptgen.gears.shift_table import gear_ratios, shift_table_problems
@@ -21,6 +22,7 @@ __all__ = [
     "analyse_gears",
     "gear_ratios",
     "handover",
+    "input_inertia",
     "layout_of",
     "layout_of_part",
     "shift_table_problems",

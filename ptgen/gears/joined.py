@@ -72,7 +72,7 @@ def layout_of(
     return _Builder(elements, values, prefix).layout(title, (input_flange, output_flange), tuple(members))
 
 
-def layout_of_part(part: Component, name: str = "part") -> Layout:
+def layout_of_part(part: Component, name: str = "part", ratio: float | None = None) -> Layout:
     """Return the layout of a part that exposes ``input`` and ``output``, or two flanges of any names.
 
     Parameters
@@ -81,6 +81,8 @@ def layout_of_part(part: Component, name: str = "part") -> Layout:
         A part, or another component with such flanges.
     name : str
         What the part is called; it stands in no name of the layout.
+    ratio : float, optional
+        What ratios that change at run time are now.
 
     Raises
     ------
@@ -97,7 +99,8 @@ def layout_of_part(part: Component, name: str = "part") -> Layout:
         listed = ", ".join(flanges) or "none"
         what = f"gears lead from an input to an output, and the flanges are {listed}"
         raise ModelError(Problem("part.flanges", what, "call two of them input and output"), file)
-    values = {parameter.symbol: parameter.value for parameter in part.parameters(name)}
+    parameters = part.parameters(name)
+    values = {p.symbol: p.value if p.span is None or ratio is None else ratio for p in parameters}
     return layout_of(
         part.elements(name),
         f"{name}.{ends[0]}",

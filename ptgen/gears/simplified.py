@@ -24,7 +24,7 @@ least kinetic energy.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -32,6 +32,7 @@ from ptgen.errors import ModelError, Problem, nearest
 from ptgen.gears.analysis import GearAnalysis
 from ptgen.gears.combinations import free_motions
 from ptgen.gears.gear import Gear
+from ptgen.gears.inertia import energy, torque_free
 from ptgen.gears.layout import Layout, ShiftElement
 from ptgen.gears.vectors import Span, Vector, combined, null_space
 
@@ -197,12 +198,11 @@ class _Reduction:
 
     def _masses(self) -> tuple[Fraction, Fraction, Fraction]:
         """Return m11, m12 and m22; motions that are neither the input's nor the output's follow without torque."""
-        inner = null_space(self.ends, len(self.basis))
-        outer = [self._motion(k) for k in (0, 1)]
-        for own in self._own(inner):
-            outer = [_less(motion, self._energy(motion, own) / self._energy(own, own), own) for motion in outer]
-        first, second = outer
-        return self._energy(first, first), self._energy(first, second), self._energy(second, second)
+        inner = [_sum(weights, self.basis) for weights in null_space(self.ends, len(self.basis))]
+        first, second = torque_free(self.layout, [self._motion(0), self._motion(1)], inner)
+        pairs = (first, first), (first, second), (second, second)
+        m11, m12, m22 = (energy(self.layout, *pair) for pair in pairs)
+        return m11, m12, m22
 
     def _motion(self, end: int) -> Vector:
         """Return a motion in which one end turns with the velocity 1 and the other one stands."""
@@ -212,22 +212,6 @@ class _Reduction:
             if speed:
                 return _sum([weight / speed for weight in weights], self.basis)
         raise ValueError("the ends are independent")
-
-    def _own(self, inner: Sequence[Vector]) -> Iterator[Vector]:
-        """Yield motions with standing ends that have kinetic energy, orthogonal to each other."""
-        found: list[Vector] = []
-        for weights in inner:
-            motion = _sum(weights, self.basis)
-            for own in found:
-                motion = _less(motion, self._energy(motion, own) / self._energy(own, own), own)
-            if self._energy(motion, motion):
-                found.append(motion)
-                yield motion
-
-    def _energy(self, first: Vector, second: Vector) -> Fraction:
-        members = self.layout.members
-        terms = ((inertia, members.index(member)) for member, inertia in self.layout.inertias.items())
-        return sum((inertia * first[k] * second[k] for inertia, k in terms), Fraction(0))
 
     def gearbox(self, pairs: Sequence[tuple[Gear, str]]) -> SimplifiedGearbox:
         m11, m12, m22 = self.masses
@@ -315,10 +299,6 @@ def _sum(weights: Sequence[Fraction], vectors: Sequence[Vector]) -> Vector:
 def _product(first: Sequence[Fraction], second: Sequence[Fraction]) -> Fraction:
     terms = (a * b for a, b in zip(first, second, strict=True) if a and b)
     return sum(terms, Fraction(0))
-
-
-def _less(vector: Vector, factor: Fraction, other: Vector) -> Vector:
-    return [a - factor * b for a, b in zip(vector, other, strict=True)]
 
 
 def _rank(rows: Sequence[Vector]) -> int:

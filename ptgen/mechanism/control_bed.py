@@ -17,10 +17,10 @@ from typing import Any
 from ptgen.components.catalogue import CATALOGUE
 from ptgen.components.component import Component
 from ptgen.errors import ModelError, Problem
+from ptgen.gears import input_inertia, layout_of_part
 from ptgen.mechanism.applied_rules import AppliedRule
 from ptgen.mechanism.model import Model
 from ptgen.mechanism.modes import modes
-from ptgen.testbed.engaged import engaged
 from ptgen.testbed.gear_tables import GearTable
 from ptgen.testbed.testbed import Testbed
 
@@ -64,8 +64,8 @@ def control_bed(testbed: Testbed) -> Testbed:
 
 def _inertia(component: Component, table: GearTable) -> float:
     elements = component.gear_elements().get(table.design, ())
-    found = engaged(component, elements, table.ratio)
-    return float(f"{found.inertia:.6g}")
+    inertia = input_inertia(layout_of_part(component, ratio=table.ratio), elements, table.ratio)
+    return float(f"{inertia:.6g}")
 
 
 def _gearbox(table: GearTable, inertia: float) -> Component:

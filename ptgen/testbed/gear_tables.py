@@ -11,7 +11,7 @@ import sympy as sp
 from ptgen.components.component import Component
 from ptgen.elements import Parameter
 from ptgen.errors import Problem, nearest
-from ptgen.testbed.engaged import engaged
+from ptgen.gears import gear_ratios, layout_of_part
 from ptgen.testbed.problems import dotted, shown
 
 __all__ = ["GearTable", "check_as_ratio", "gear_tables", "known_ratios", "ratio_parameter"]
@@ -68,12 +68,8 @@ def known_ratios(component: Component) -> dict[str, float]:
     """Return the ratio of each gear: as the component has it, or as its shift table gives it; empty if neither does."""
     if found := component.gear_ratios():
         return dict(found)
-    ratios = {}
-    for gear, elements in component.gear_elements().items():
-        ratio = engaged(component, elements).ratio
-        if ratio is not None:
-            ratios[gear] = ratio
-    return ratios
+    elements = component.gear_elements()
+    return gear_ratios(layout_of_part(component), elements) if elements else {}
 
 
 def gear_tables(

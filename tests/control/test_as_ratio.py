@@ -8,14 +8,12 @@ import pytest
 import sympy as sp
 from control_laws import expanded, is_zero, symbols
 
-from ptgen.components.catalogue import CATALOGUE
 from ptgen.loops.loop_analysis import analyse
 from ptgen.mechanism.control_bed import control_bed
 from ptgen.mechanism.model import evaluate_matrix
 from ptgen.project import Project
 from ptgen.simulate.run import simulate
 from ptgen.testbed import load_scenario
-from ptgen.testbed.engaged import engaged
 
 TRANSMISSION = """
 [components.gears]
@@ -107,17 +105,33 @@ def test_reverse_gear_turns_the_sense_of_the_law(project: Project) -> None:
     assert is_zero(law.P[0, 1] + law.P[0, 1].subs(p["gears_ratio"], -p["gears_ratio"]))
 
 
-def test_engaged_clutch_is_one_shaft() -> None:
-    clutch = CATALOGUE["clutch"].model_validate(
-        {"type": "clutch", "capacity": "1 N m", "inertia_input": "2 kg m^2", "inertia_output": "3 kg m^2"}
-    )
-    assert engaged(clutch, []).ratio is None
-    assert engaged(clutch, [""]).ratio == pytest.approx(1.0)
-    assert engaged(clutch, [""]).inertia == pytest.approx(5.0)
+def with_gear_set(root: Path, folder: Path, part: str, gear: str) -> Project:
+    """Return the shipped bed with a fixed gear, a gear set in place of its gearbox, designed for one of its gears."""
+    text = (root / "testbeds" / "transmission-fixed-gear.toml").read_text(encoding="utf-8")
+    begin, end = text.index("[components.gearbox]"), text.index("[components.shaft2]")
+    text = text[:begin] + text[end:]
+    for old, new in (('"components.gearbox",', ""), ("gearbox.", "gears."), ("transmission_fixed_gear", "as_ratio")):
+        text = text.replace(old, new)
+    text += f'[components.gears]\ntype = "part"\nfile = "{part}.toml"\n'
+    text += f'[reduction]\nas_ratio = ["gears"]\ndesign_gear = {{ gears = "{gear}" }}\n'
+    (folder / "bed.toml").write_text(text, encoding="utf-8")
+    return Project.read(folder / "bed.toml")
 
 
-def test_inertia_behind_a_ratio_is_referred_to_the_input() -> None:
-    clutch = CATALOGUE["clutch"].model_validate(
-        {"type": "clutch", "capacity": "1 N m", "inertia_input": "2 kg m^2", "inertia_output": "3 kg m^2"}
-    )
-    assert engaged(clutch, [], 2.0).inertia == pytest.approx(2.0 + 3.0 / 2.0**2)
+@pytest.mark.parametrize(
+    ("part", "gear", "ratio", "inertia"),
+    [
+        ("nine-speed", "1", 5.503220611916264, 0.0271878),
+        ("nine-speed", "4", 1.6611111111111112, 0.156622),  # with an element that is idle
+        ("nine-speed", "6", 1.0, 0.12),
+        ("seven-speed-dual-clutch", "2", 10.085227272727273, 0.0286398),  # the other branch turns freely
+        ("six-speed-lepelletier", "R", -3.402520385470719, 0.0273696),
+    ],
+)
+def test_numbers_of_the_rule_are_those_of_the_gear_set(
+    part: str, gear: str, ratio: float, inertia: float, root: Path, tmp_path: Path
+) -> None:
+    rule = with_gear_set(root, tmp_path, part, gear).reduced.rules[0]
+    assert (rule.rule, rule.element) == ("as ratio", "gears")
+    assert rule.numbers["ratio"] == pytest.approx(ratio, rel=1e-14)
+    assert rule.numbers["inertia"] == inertia
