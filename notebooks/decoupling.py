@@ -437,6 +437,8 @@ def derivative_of(chain):
     return ((rename(chain.rows[-1], two_names) * state_two) + rename(chain.input_row, two_names) * input_two)[0]
 
 
+check("5.42", c * dphi, (rename(chains_two[0].rows[0], two_names) * state_two)[0])
+check("5.43", w2, (rename(chains_two[1].rows[0], two_names) * state_two)[0])
 check("5.45", c * w1 - c * igb * w2, (rename(chains_two[0].rows[1], two_names) * state_two)[0])
 check("5.46", printed_5_46, derivative_of(chains_two[0]))
 check("5.47", igb * c * dphi / Im2 + T2 / Im2, derivative_of(chains_two[1]))

@@ -183,6 +183,13 @@ check("Figure 4.2", wrong(torque[:, 0], np.clip(force / k, -limit, limit), 1), 0
 size = abs(xy) + np.einsum("nij,nj->ni", abs(K), m) + 1e-6 / h * abs(speed)
 sliding, rate = short_step(K, speed, xy, m)
 check("4.26", wrong(sliding, m * np.sign(speed), m), 0)
+check("4.6", wrong(sliding, m * np.sign(speed), m), 0)
+check("4.19", wrong(sliding, m * np.sign(speed), m), 0)
+check("4.7", int(np.sum(sliding * speed <= 0)), 0)
+check("4.20", int(np.sum(sliding * speed <= 0)), 0)
+gains = sliding / speed
+check("4.24", wrong(gains * speed, sliding, m), 0)
+check("4.24", int(np.sum(gains <= 0)), 0)
 check("4.27", wrong(rate, xy - np.einsum("nij,nj->ni", K, m * np.sign(speed)), size), 0)
 
 first_at_rest = np.stack([np.zeros(COUNT), speed[:, 1]], -1)
@@ -249,6 +256,8 @@ if not (np.any(as_printed > 1) and masks.any(axis=1).all()):
     raise AssertionError("every sector has its problems, and the printed lines do not divide the plane")
 
 torque, rate = solve_all(K, xy, m)
+check("4.6", int(np.sum(abs(torque) > m)), 0)
+check("4.19", int(np.sum(abs(torque) > m)), 0)
 check("Table 4.1", wrong(torque, three_clamps(K, xy, m), m), 0)
 
 # %% [markdown]

@@ -422,6 +422,9 @@ check("4.18", unit(0, 3).col_join(unit(1, 3)), model.friction_rows)
 G = model.friction_rows
 check("4.18 K22", (G * rename(model.mass, names).inv() * G.T).applyfunc(sp.cancel), K_chain)
 check("4.18 K22", K_chain.T, K_chain)
+everything = -sp.Matrix([[sp.diff(r, t) for t in (Tc1, Tc2)] for r in x_rates])
+K_r = (rename(model.mass, names).inv() * G.T)[2:, :]
+check("4.23", K_chain.col_join(K_r.applyfunc(sp.cancel)), everything)
 if not (positive(K_chain[0, 0]) and positive(K_chain[1, 1]) and positive(K_chain.det())):
     raise AssertionError("K22 of the chain is positive definite")
 if not (positive(K_diff[0, 0]) and positive(K_diff[1, 1]) and positive(K_diff.det())):

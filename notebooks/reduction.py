@@ -784,6 +784,14 @@ check(
     rates(transmission_model, transmission_names, *t_variables),
 )
 check(
+    "5.19",
+    [stiffness_t * dphi, w2],
+    [
+        signal(transmission_model, name, transmission_names, *t_variables)
+        for name in transmission.design.decoupling.outputs
+    ],
+)
+check(
     "5.18",
     [stiffness_t * dphi, igb * stiffness_t * dphi],
     [signal(transmission_model, f"flange{k}_torque", transmission_names, *t_variables) for k in (1, 2)],

@@ -78,7 +78,7 @@ def test_errata_page_names_files_that_exist() -> None:
 
 
 def test_there_are_notebooks() -> None:
-    assert {"components", "reduction", "decoupling", "errata"} <= {path.stem for path in NOTEBOOKS}
+    assert {"components", "reduction", "decoupling", "errata", "transmissions"} <= {path.stem for path in NOTEBOOKS}
 
 
 @pytest.mark.parametrize("notebook", NOTEBOOKS, ids=lambda path: path.stem)
