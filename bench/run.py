@@ -24,11 +24,14 @@ ROOT = Path(__file__).resolve().parents[1]
 
 # The source's simulations: compiled Simulink model ("Rapid Accelerator") on one core of a laptop of 2013, with
 # variable-step ode45 and models of induction machines and field-oriented control, which ours do not contain.
-SOURCE = {"differential": (70.0, 66.0), "differential-gearboxes": (100.0, 92.0)}
+SOURCE = {"differential": (70.0, 66.0), "differential-gearboxes": (100.0, 92.0), "transmission": (70.0, 10.0)}
 RUNS = {
     "differential": "differential-run",
     "differential-gearboxes": "differential-gearboxes-run",
     "back-to-back": "back-to-back-steps",
+    "transmission": "transmission-run",
+    "transmission-nine-speed": "transmission-run",
+    "shift-rig": "shift-rig-upshift",
 }
 
 
