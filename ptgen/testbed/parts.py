@@ -5,8 +5,6 @@ from __future__ import annotations
 import copy
 import hashlib
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from itertools import pairwise
 from os import PathLike
 from pathlib import Path
 from typing import Any
@@ -19,6 +17,7 @@ from ptgen.testbed.chains import follow, split
 from ptgen.testbed.component_tables import PartKind, read_components
 from ptgen.testbed.gear_problems import gear_problems
 from ptgen.testbed.names import check_component_names
+from ptgen.testbed.part_flanges import flange_problems
 from ptgen.testbed.problems import dotted, shown, validated
 from ptgen.testbed.text import read_toml
 
@@ -109,14 +108,6 @@ def read_part(
     return part
 
 
-@dataclass(frozen=True)
-class _Use:
-    """Where a flange is used."""
-
-    where: str
-    what: str
-
-
 class _Reading:
     def __init__(self, path: str | PathLike[str], values: Mapping[str, object], trail: tuple[Path, ...]) -> None:
         self.path = Path(path)
@@ -149,7 +140,7 @@ class _Reading:
         exposed = self._exposed(section, types, members)
         if self.problems:
             raise TestbedError(self.problems, self.file)
-        self._check_flanges(types, members, connections, exposed)
+        self.problems += flange_problems(types, members, connections, exposed)
         if self.problems:
             raise TestbedError(self.problems, self.file)
         return Part.of(
@@ -267,53 +258,6 @@ class _Reading:
                 what = f'"{name}" is the name of a {"member" if name in members else "component"} too'
                 self.problems.append(Problem(dotted("part", "flanges", name), what, "rename one of them"))
         return exposed
-
-    def _check_flanges(
-        self,
-        types: Mapping[str, type[Component]],
-        members: Mapping[str, Member],
-        connections: list[tuple[str, str]],
-        exposed: Mapping[str, str],
-    ) -> None:
-        """Check that each flange is used once, and that no component is connected to itself."""
-        uses: dict[str, _Use] = {}
-
-        def use(flange: str, where: str, what: str) -> None:
-            first = uses.setdefault(flange, _Use(where, what))
-            if first.where != where or first.what != what:
-                text = f'"{flange}" is connected twice, {first.what} ({first.where}) and {what}'
-                remedy = "remove one, or join everything that turns together in one member"
-                self.problems.append(Problem(where, text, remedy))
-
-        for member, record in members.items():
-            where = dotted("members", member, "joins")
-            for a, b in pairwise(sorted(record.joins)):
-                if a == b:
-                    self.problems.append(Problem(where, f'"{a}" stands there twice', "remove one of them"))
-                elif a.partition(".")[0] == b.partition(".")[0]:
-                    what = f'connects "{a.partition(".")[0]}" to itself ("{a}" and "{b}" on the member "{member}")'
-                    remedy = "join one of them elsewhere; to block a set on request put a clutch between its flanges"
-                    self.problems.append(Problem(where, what, remedy))
-            for flange in dict.fromkeys(record.joins):
-                use(flange, where, f"on the member {member}")
-        for left, right in connections:
-            if left.partition(".")[0] == right.partition(".")[0]:
-                what = f'connects "{left.partition(".")[0]}" to itself ("{left}" to "{right}")'
-                self.problems.append(Problem("part.connections", what, "put a component between the flanges"))
-            use(left, "part.connections", f'to "{right}"')
-            use(right, "part.connections", f'to "{left}"')
-        for name, inside in exposed.items():
-            if inside not in members:
-                use(inside, dotted("part", "flanges", name), "as a flange of the part")
-        for name, kind in types.items():
-            for own in kind.flanges:
-                if not own.may_stay_open and f"{name}.{own.name}" not in uses:
-                    what = f'flange "{name}.{own.name}" is not connected'
-                    remedy = "join it in a member; what is not joined to anything else may be a member of its own"
-                    self.problems.append(Problem(dotted("components", name), what, remedy))
-            if all(own.may_stay_open and f"{name}.{own.name}" not in uses for own in kind.flanges):
-                remedy = "join it in a member, or remove the component"
-                self.problems.append(Problem(dotted("components", name), "is never connected", remedy))
 
     def _gears(self, described: object, components: Mapping[str, Component]) -> dict[str, tuple[str, ...]]:
         if not isinstance(described, dict):
