@@ -5,7 +5,7 @@ from __future__ import annotations
 import functools
 from typing import Annotated, Any
 
-from pydantic import BeforeValidator, Field, field_validator
+from pydantic import AfterValidator, BeforeValidator, Field, field_validator
 
 from ptgen.components.component import Component, Quantity, Record
 from ptgen.elements import Friction, FrictionRole, Load, Ripple, Row, Saturation
@@ -14,6 +14,7 @@ __all__ = [
     "FrictionRipple",
     "FrictionSaturation",
     "LoadDependentFriction",
+    "MeshLoss",
     "load_dependent",
     "mesh_losses",
     "ripple_at",
@@ -76,6 +77,19 @@ class LoadDependentFriction(Record):
     viscous: Annotated[float, Quantity("N m s/rad", "viscous friction, k_omega", positive=False)] = 0.0
     saturation: FrictionSaturation | None = None
     ripple: FrictionRipple | None = None
+
+
+def _below_one(loss: LoadDependentFriction) -> LoadDependentFriction:
+    if loss.load >= 1:
+        raise ValueError(
+            f"load must be below 1, got {loss.load:g}: teeth that lose 100 % transmit nothing; "
+            "it is 1 less the efficiency, such as 0.02"
+        )
+    return loss
+
+
+MeshLoss = Annotated[LoadDependentFriction, AfterValidator(_below_one)]
+"""Friction of teeth: its load is 1 less their efficiency."""
 
 
 def load_dependent(component: Component, name: str, part: str, row: Row, role: FrictionRole, place: str) -> Friction:

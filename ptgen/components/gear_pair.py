@@ -23,7 +23,7 @@ import sympy as sp
 from pydantic import Field, model_validator
 
 from ptgen.components.component import Component, Flange, Quantity, Record, Switch
-from ptgen.components.friction import LoadDependentFriction, mesh_losses
+from ptgen.components.friction import MeshLoss, mesh_losses
 from ptgen.elements import Constraint, Elements
 
 __all__ = ["GearPair", "PairTeeth"]
@@ -53,7 +53,7 @@ class GearPair(Component):
     """Whether the output turns the other way, as with external teeth and no idler."""
     inertia_input: Annotated[float, Quantity("kg m^2", "moment of inertia of the gear at the input")] | None = None
     inertia_output: Annotated[float, Quantity("kg m^2", "moment of inertia of the gear at the output")] | None = None
-    loss: LoadDependentFriction | None = None
+    loss: MeshLoss | None = None
 
     @model_validator(mode="after")
     def _ratio_given_once(self) -> GearPair:

@@ -165,9 +165,13 @@ class Part(Component):
             for joined in record.joins:
                 flange = f"{name}.{joined}"
                 if self.model == "flexible" and record.stiffness is not None and flange in heavy:
-                    row = {hub: sp.Integer(1), flange: sp.Integer(-1)}
+                    # The joint's far end is connected to the flange, so that the flange has a torque, of losses say.
+                    joint = f"{hub}.{joined}"
+                    row = {hub: sp.Integer(1), joint: sp.Integer(-1)}
                     damping = symbols.get(f"{name}_{member}_damping", sp.Integer(0))
-                    springs.append(Spring(f"{hub}.{joined}", row, symbols[f"{name}_{member}_stiffness"], damping))
+                    springs.append(Spring(joint, row, symbols[f"{name}_{member}_stiffness"], damping))
+                    velocities.append(joint)
+                    connections.append((joint, flange))
                 else:
                     connections.append((hub, flange))
         own = {f"{name}.{flange}": f"{name}.{inside}" for flange, inside in self.description.exposed.items()}

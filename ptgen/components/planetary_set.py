@@ -31,7 +31,7 @@ import sympy as sp
 from pydantic import Field, model_validator
 
 from ptgen.components.component import Component, Flange, Quantity, Record
-from ptgen.components.friction import LoadDependentFriction, mesh_losses
+from ptgen.components.friction import MeshLoss, mesh_losses
 from ptgen.elements import Body, Constraint, Elements
 
 __all__ = ["PlanetarySet", "SetTeeth"]
@@ -67,7 +67,7 @@ class PlanetarySet(Component):
     inertia_planets: (
         Annotated[float, Quantity("kg m^2", "moment of inertia of all planets about their own axes, n_p I_p")] | None
     ) = None
-    loss: LoadDependentFriction | None = None
+    loss: MeshLoss | None = None
 
     @model_validator(mode="after")
     def _ratio_given_once(self) -> PlanetarySet:

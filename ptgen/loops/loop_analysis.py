@@ -275,7 +275,11 @@ def analyse(
         file=project.testbed.file,
         controller=controller,
         structure=project.design.decoupling.structure,
-        experimental=tuple(project.design.gains.super_twisting),
+        experimental=tuple(
+            name
+            for name in project.testbed.roles.speed
+            if project.testbed.tuning.speed_control_of(name) == "super_twisting"
+        ),
         locked=held,
         free=tuple(f.name for f in project.control_model.frictions if f.name not in held),
         parameters=given,

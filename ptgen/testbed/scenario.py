@@ -216,10 +216,11 @@ def _actuations(table: object, testbed: Testbed, folder: Path) -> tuple[dict[str
 
 
 def _entries(table: Mapping[str, object], elements: set[str]) -> Iterator[tuple[tuple[str, ...], object]]:
-    """Yield each entry and its path: a table stands for an element, or holds those of a component."""
+    """Yield each entry and its path: a table stands for an element, or holds those of a component or of a part."""
     for key, entry in table.items():
         if key not in elements and isinstance(entry, dict) and _holds_elements(key, entry, elements):
-            yield from (((key, inner), below) for inner, below in entry.items())
+            inside = {name.removeprefix(f"{key}.") for name in elements if name.startswith(f"{key}.")}
+            yield from (((key, *path), below) for path, below in _entries(entry, inside))
         else:
             yield (key,), entry
 

@@ -14,7 +14,7 @@ KEYS = {
 def test_analyse_keeps_its_contract(cli):
     found = cli.json("analyse", "testbeds/back-to-back.toml")
     assert set(found) == KEYS
-    assert found["stable"] is True and found["continuous"] == "stable"
+    assert found["stable"] is True and found["continuous"] == "stable" and found["experimental"] == []
     assert [(loop["machine"], loop["controls"]) for loop in found["loops"]] == [("M1", "torque"), ("M2", "speed")]
     for loop in found["loops"]:
         assert loop["gain_up"] > 1 > loop["gain_down"] >= 0

@@ -45,6 +45,7 @@ def test_standing_flanges_give_the_three_basic_ratios(pinions: str) -> None:
         ({"ratio": None}, "needs its ratio"),
         ({"teeth": {"sun": 40, "ring": 90}}, "teeth and ratio, which differ"),
         ({"ratio": None, "teeth": {"sun": 90, "ring": 40}}, "ring must be larger"),
+        ({"loss": {"load": 1.0}}, "load must be below 1"),
         ({"pinions": "double"}, "inertia_planets is for single pinions"),
         ({"ratio": None, "teeth": {"sun": 40.5, "ring": 90}}, "integer"),
         ({"teeth": {"sun": 40, "ring": 90, "planet": 25}}, "extra|Extra"),

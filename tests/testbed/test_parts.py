@@ -10,7 +10,7 @@ import pytest
 from ptgen.errors import TestbedError
 from ptgen.mechanism.assembly import assemble
 from ptgen.mechanism.mechanism import Mechanism
-from ptgen.testbed import load
+from ptgen.testbed import load, load_scenario
 from ptgen.testbed.parts import read_part, shipped_parts
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -118,6 +118,15 @@ def test_flexible_part_has_a_shaft_at_each_joint_with_an_inertia(tmp_path: Path)
     assert len(assemble(mechanism).coordinates) == 5
 
 
+def test_losses_of_a_flexible_part_go_by_the_torque_in_the_joint(tmp_path: Path) -> None:
+    text = BED.replace('file = "one.toml"', 'file = "one.toml"\nmodel = "flexible"')
+    lossy = ONE_SET.replace('inertia_sun = "0.001 kg m^2"', 'inertia_sun = "0.001 kg m^2"\nloss = { load = 0.02 }')
+    model = assemble(Mechanism.of(load(bed(tmp_path, lossy, text))))
+    form, joint = model.signals["gears.P1.sun"], model.twists.index("gears.input.P1.sun")
+    stiffness = next(symbol for symbol in model.values if symbol.name == "gears_input_stiffness")
+    assert form.e[joint] == stiffness
+
+
 def test_values_of_the_bed_replace_those_of_the_part(tmp_path: Path) -> None:
     text = BED.replace(
         'file = "one.toml"', 'file = "one.toml"\nvalues = { "P1.teeth.ring" = 80, "ring.inertia" = "0.5 kg m^2" }'
@@ -156,6 +165,14 @@ values = { "P1.teeth.ring" = 90 }
     assert {"gears_front_P1_ratio", "gears_rear_P1_ratio"} <= names
     model = assemble(Mechanism.of(testbed))
     assert len(model.coordinates) == 5, "two for each set, less the connection, and two machines"
+    course = '{ time = ["0 s"], value = [1] }'
+    scenario = tmp_path / "run.toml"
+    scenario.write_text(
+        '[scenario]\nduration = "1 s"\nrecord_every = "1 ms"\n'
+        f"[actuations]\ngears.front.B = {course}\n[actuations.gears.rear]\nK = {course}\n"
+    )
+    actuations = load_scenario(scenario, testbed).actuations
+    assert [name for name, profile in actuations.items() if profile.value == (1.0,)] == ["gears.front.B", "gears.rear.K"]
 
 
 def test_a_part_that_contains_itself_is_refused(tmp_path: Path) -> None:
