@@ -24,7 +24,9 @@ def gears(
     file: Annotated[
         Path,
         typer.Argument(
-            metavar="FILE", help="A part file, or a test bed file that has parts (.toml).", show_default=False
+            metavar="FILE",
+            help="A part file, or a test bed file that has parts (.toml); parts that come with ptgen by their name.",
+            show_default=False,
         ),
     ],
     component: Annotated[
@@ -99,9 +101,10 @@ def _part(file: Path, component: str | None, *, checked: bool) -> Part:
     """Return the part that a part file describes, or the one that is meant of a bed."""
     from ptgen.components.part import Part
     from ptgen.testbed import load
-    from ptgen.testbed.parts import read_part
+    from ptgen.testbed.parts import find_part, read_part
     from ptgen.testbed.text import read_toml
 
+    file = find_part(str(file), Path()) or file
     if "part" in read_toml(file, "part file").tables:
         if component is not None:
             raise RunError(Problem("--component", "is for beds, and this is a part file", "leave it out"), str(file))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ptgen.components.part import Part
-from ptgen.errors import Problem
+from ptgen.errors import ModelError, Problem
 from ptgen.gears import layout_of_part, shift_table_problems
 
 __all__ = ["gear_problems"]
@@ -15,4 +15,7 @@ def gear_problems(part: type[Part]) -> list[Problem]:
     if not description.gears:
         return []
     layout = layout_of_part(part(type="part", file=description.file))
-    return shift_table_problems(layout, description.gears)
+    try:
+        return shift_table_problems(layout, description.gears)
+    except ModelError as error:  # too many elements to look at: the file is known here
+        return list(error.problems)

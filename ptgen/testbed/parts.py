@@ -170,7 +170,12 @@ class _Reading:
         for key, value in values.items():
             owner, *path = key.split(".")
             section = next((s for s in ("components", "members") if owner in tables.get(s, {})), None)
-            if section is None or not path:
+            if section is not None and not path:
+                what = f"{shown(key)} is a table of the part {self.file}"
+                keys = [inner for inner in tables[section][owner] if inner != "type"]
+                example = f'"{owner}.{keys[-1]}"' if keys else f'"{owner}.inertia"'
+                raise TestbedError(Problem(dotted("values", key), what, f"write a key of it, such as {example}"))
+            if section is None:
                 names = [*tables.get("components", {}), *tables.get("members", {})]
                 what = f"{shown(key)} names nothing of the part {self.file}"
                 raise TestbedError(Problem(dotted("values", key), what, nearest(owner, names)))
@@ -311,12 +316,18 @@ def part_kinds(folder: Path, digests: list[str], trail: tuple[Path, ...] = ()) -
         try:
             part = read_part(path, table.get("values"), trail)
         except TestbedError as error:
-            inside = [
-                Problem(dotted(*where, problem.where), problem.what, problem.remedy)
-                if problem.where.startswith("values")
-                else Problem(dotted(*where), f"{error.file}: {problem.where}: {problem.what}", problem.remedy)
-                for problem in error.problems
-            ]
+            given = table.get("values") or {}
+            own = {f"{section}.{key}": key for key in given for section in ("components", "members")}
+            inside = []
+            for problem in error.problems:
+                if problem.where in own:
+                    place = dotted(*where, "values", own[problem.where])
+                    inside.append(Problem(place, problem.what, problem.remedy))
+                elif problem.where.startswith("values."):
+                    inside.append(Problem(f"{dotted(*where)}.{problem.where}", problem.what, problem.remedy))
+                else:
+                    what = f"{error.file}: {problem.where}: {problem.what}"
+                    inside.append(Problem(dotted(*where), what, problem.remedy))
             return None, inside
         digests.append(part.description.digest)
         return part, []

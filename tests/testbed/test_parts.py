@@ -172,7 +172,10 @@ values = { "P1.teeth.ring" = 90 }
         f"[actuations]\ngears.front.B = {course}\n[actuations.gears.rear]\nK = {course}\n"
     )
     actuations = load_scenario(scenario, testbed).actuations
-    assert [name for name, profile in actuations.items() if profile.value == (1.0,)] == ["gears.front.B", "gears.rear.K"]
+    assert [name for name, profile in actuations.items() if profile.value == (1.0,)] == [
+        "gears.front.B",
+        "gears.rear.K",
+    ]
 
 
 def test_a_part_that_contains_itself_is_refused(tmp_path: Path) -> None:
@@ -212,8 +215,12 @@ def test_what_is_wrong_with_a_part_is_said(tmp_path: Path, old: str, new: str, w
     [
         ('file = "two.toml"', 'there is no part file "two.toml"'),
         ('file = "one.toml"\nmodel = "stiff"', 'must be "rigid" or "flexible"'),
-        ('file = "one.toml"\nvalues = { "P9.ratio" = 2 }', "names nothing of the part"),
-        ('file = "one.toml"\nvalues = { "P1.inertia_sun" = "2 N m" }', "P1.inertia_sun"),
+        (
+            'file = "one.toml"\nvalues = { "P9.ratio" = 2 }',
+            'components.gears.values."P9.ratio": "P9.ratio" names nothing',
+        ),
+        ('file = "one.toml"\nvalues = { "P1" = 2 }', 'write a key of it, such as "P1.inertia_sun"'),
+        ('file = "one.toml"\nvalues = { "P1.inertia_sun" = "2 N m" }', 'components.gears.values."P1.inertia_sun": '),
         ("", "components.gears.file: is missing"),
     ],
 )
