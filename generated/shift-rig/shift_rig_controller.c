@@ -528,6 +528,9 @@ shift_rig_controller_status shift_rig_controller_step(shift_rig_controller_state
     /* ratio known or estimated (5.4.1) */
     const shift_rig_real gears_ratio_chosen = gears_ratio_inside * (1.0 - s->gears_ratio_source_now) +
         gears_ratio_snapped * s->gears_ratio_source_now;
+    /* near standstill the speeds do not tell the ratio */
+    const shift_rig_real gears_ratio_sure = -s->gears_ratio_source_now * (1.0 - shift_rig_max(0.0,
+        shift_rig_min(1.0, -1.0 + shift_rig_abs(gears_ratio_behind) / p->gears_ratio_least_speed))) + 1.0;
     if (s->running <= 0.5) {
         /* the first step, and the first one after a fault, starts anew */
         s->gears_ratio_limited = gears_ratio_chosen;
@@ -673,7 +676,7 @@ shift_rig_controller_status shift_rig_controller_step(shift_rig_controller_state
         M1_torque_error * p->M1_torque_gain;
     /* active damping (5.62), (5.78) */
     const shift_rig_real M1_twist_rate_M1 = -s->M1_speed_held + s->M2_speed_held * s->gears_ratio_limited;
-    const shift_rig_real M1_damping_torque = s->M1_damping_now * M1_twist_rate_M1;
+    const shift_rig_real M1_damping_torque = s->M1_damping_now * M1_twist_rate_M1 * gears_ratio_sure;
     /* with the acceleration torque (5.62), (5.78) */
     const shift_rig_real M1_wanted = M1_virtual + s->acceleration_torque_now * (p->M1_inertia_estimate *
         s->M2_speed_held * gears_ratio_change + p->M1_inertia_estimate * M2_net * s->gears_ratio_limited /

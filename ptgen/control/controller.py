@@ -114,7 +114,8 @@ def controller_block(
         w.parameter(symbol.name, "N m s/rad", f"active damping by {name} (5.81)", gains.damping[name])
         dampings[symbol] = follow(w, symbol.name, "N m s/rad").now
     envelopes = {machine: envelope(w, machine, measured) for machine in range(len(decoupling.machines))}
-    ratio_rates = changing_ratios(w, measured, gears or {})
+    ratio_rates, sure = changing_ratios(w, measured, gears or {})
+    dampings = {symbol: sure * now for symbol, now in dampings.items()}
     watch(w, names, measured, h)
     losses = loss_torques(w, measured)
     limited = speed_references(w, measured)

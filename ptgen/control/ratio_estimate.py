@@ -50,10 +50,14 @@ class RatioSource:
         What the law shall use, before its rate is limited.
     known : Expr
         The share of the input in it.
+    sure : Expr
+        From 0 to 1, less than 1 only while it is estimated and the speeds are too small to tell it: then no damping may
+        rely on it, which would brake the bed at a ratio that is wrong, and keep it where the ratio cannot be told.
     """
 
     ratio: sp.Expr
     known: sp.Expr
+    sure: sp.Expr
 
 
 def ratio_source(
@@ -85,10 +89,11 @@ def ratio_source(
     text = "switch: 0 the ratio is the input, 1 it is estimated from the speeds"
     w.parameter(f"{name}_source", "", text, 0.0, most=1.0)
     share = follow(w, f"{name}_source").now
-    estimate = _estimate(w, name, speeds, inside)
+    estimate, telling = _estimate(w, name, speeds, inside)
     snapped = _snapped(w, name, estimate, sorted(set(gears)))
     now = w.assign(f"{name}_chosen", (1 - share) * inside + share * snapped, "ratio known or estimated (5.4.1)")
-    return RatioSource(now, 1 - share)
+    sure = w.assign(f"{name}_sure", 1 - share * (1 - telling), "near standstill the speeds do not tell the ratio")
+    return RatioSource(now, 1 - share, sure)
 
 
 @dataclass(frozen=True)
@@ -125,8 +130,8 @@ def _speeds(w: ControllerWriter, ratio: sp.Symbol, measured: Mapping[str, sp.Sym
     return _Speeds(before, behind, largest)
 
 
-def _estimate(w: ControllerWriter, name: str, speeds: _Speeds, inside: sp.Symbol) -> sp.Symbol:
-    """Return the ratio of the speeds behind its low pass; near standstill as it was."""
+def _estimate(w: ControllerWriter, name: str, speeds: _Speeds, inside: sp.Symbol) -> tuple[sp.Symbol, sp.Expr]:
+    """Return the ratio of the speeds behind its low pass, near standstill as it was; and how far they tell it."""
     text = "ratio from the speeds"
     least = w.parameter(
         f"{name}_least_speed",
@@ -149,7 +154,9 @@ def _estimate(w: ControllerWriter, name: str, speeds: _Speeds, inside: sp.Symbol
     start = sp.Piecewise((quotient, turning), (inside, True))
     before = w.assign(f"{name}_estimate_before", w.previous(estimate, start, here=True), text)
     change = sp.Piecewise((share * (quotient - before), turning), (sp.Integer(0), True))
-    return w.assign(estimate.name, before + change, text)
+    # Full only at twice the least speed, so that the estimate has had the time to follow.
+    telling = greatest_of(sp.Integer(0), smallest_of(sp.Integer(1), sp.Abs(behind) / least - 1))
+    return w.assign(estimate.name, before + change, text), telling
 
 
 def _snapped(w: ControllerWriter, name: str, estimate: sp.Symbol, gears: Sequence[float]) -> sp.Symbol:

@@ -37,8 +37,10 @@ def ratio_bounds(design: Decoupling) -> dict[str, float]:
 
 def changing_ratios(
     w: ControllerWriter, measured: Mapping[str, sp.Symbol], gears: Mapping[str, Sequence[float]]
-) -> dict[str, sp.Expr]:
+) -> tuple[dict[str, sp.Expr], sp.Expr]:
     """Write the limits of all changing ratios, let the law use what they leave, and return their rates (1/s).
+
+    Returned too is a factor from 0 to 1 for all dampings: how sure the ratios are, see `RatioSource`.
 
     Parameters
     ----------
@@ -48,6 +50,7 @@ def changing_ratios(
         Ratios of the gears of a component, by its name; with them its ratio can be estimated.
     """
     rates: dict[str, sp.Expr] = {}
+    sure: sp.Expr = sp.Integer(1)
     names = ratio_inputs(w.design)
     for parameter in w.design.model.changing:
         name, span = parameter.symbol.name, parameter.span
@@ -68,7 +71,8 @@ def changing_ratios(
             change = (now - signal_symbol(f"{name}_before")) * per_step
             rates[name] = w.assign(f"{name}_change", change if source is None else source.known * change)
         w.run_time[name] = now
-    return rates
+        sure = sure if source is None else sure * source.sure
+    return rates, sure
 
 
 def _is_used(design: Decoupling, symbol: sp.Symbol) -> bool:

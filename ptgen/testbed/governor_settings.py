@@ -92,7 +92,9 @@ def check_governor(kind: object, speed_control: object, components: Mapping[str,
         what = f"needs speed control that is linear in its reference; that {whose}is super-twisting"
         problems.append(Problem("governor.kind", what, 'choose "pi" or "observer" as control.speed_control, or "none"'))
     changing = [
-        name for name, component in components.items() for p in component.parameters(name) if p.span is not None
+        name
+        for name, component in components.items()
+        if any(parameter.span is not None for parameter in component.parameters(name))
     ]
     if kind == "optimal" and changing:
         what = f"looks ahead with one model of the bed, but the ratio of {' and '.join(changing)} changes at run time"

@@ -111,3 +111,40 @@ def test_estimated_ratio_follows_a_transmission_that_shifts_by_itself(transmissi
         assert np.abs(signals["gears_input_torque"] - 150.0)[steady].max() < 5.0
     assert np.abs(signals["M2_speed"] - signals["M2_speed_ref"]).max() < 2.0
     assert not signals["fault"].any()
+
+
+@pytest.mark.parametrize("gear", ["4", "9"])
+def test_a_gear_that_changes_at_standstill_is_found_when_the_bed_starts(
+    transmission: tuple[Project, Library], tmp_path: Path, gear: str
+) -> None:
+    """With the ratio of the old gear the damping would brake the output where its speed does not tell the new one."""
+    project, library = transmission
+    file = tmp_path / "standstill.toml"
+    file.write_text(
+        f"""
+[scenario]
+duration = "8 s"
+record_every = "10 ms"
+[references.torque.M1]
+time = ["2 s", "2.5 s"]
+value = ["0 N m", "80 N m"]
+[references.speed.M2]
+time = ["2.5 s", "5 s"]
+value = ["0 rpm", "300 rpm"]
+[actuations.converter]
+lockup = {{ time = ["0 s"], value = [1] }}
+[gears]
+gears = "{gear}"
+[[shifts]]
+component = "gears"
+time = "0.5 s"
+to = "1"
+kind = "non-overlapping"
+"""
+    )
+    scenario = load_scenario(file, project.testbed)
+    signals = simulate(project, scenario, parameters={"gears_ratio_source": 1.0}, library=library).signals
+    assert signals["gears_ratio_limited"][-1] == pytest.approx(5.503, rel=1e-9)
+    assert signals["M2_speed"][-1] == pytest.approx(300 * np.pi / 30, rel=0.01)
+    assert signals["flange1_torque"][-1] == pytest.approx(80.0, abs=2.0)
+    assert np.abs(signals["flange2_torque"]).max() < 4 * 80 * 5.503, "it was 3300 N m for good"
