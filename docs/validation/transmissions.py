@@ -114,11 +114,10 @@ CASES = (
         "Agrees. How large the peaks of the conventional control are is a matter of how well the torque is chosen: "
         "here 60 N m, which is what rotor and flange of M1 need, while the converter that turns with them is not "
         "thought of; with 76 N m, the best found, the conventional downshift has 134 and 302 N m. Peaks and times "
-        "count from when the next clutch begins to close. Before that the proposed control has 52 N m at flange 1 in the "
-        "downshift and 62 N m in the upshift, when the ratio begins to move and M1 leaves the backlash; with the "
+        "count from when the next clutch begins to close. Before that the proposed control has 52 N m at flange 1 in "
+        "the downshift and 62 N m in the upshift, when the ratio begins to move and M1 leaves the backlash; with the "
         "inertia of M1 taken 14 % too small it is 119 N m. Bed and references are assumed, since the source prints no "
-        "values. "
-        "The figure shows the downshift.",
+        "values. The figure shows the downshift.",
         _figures_5_20_and_5_21,
     ),
 )
