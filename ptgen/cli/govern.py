@@ -17,6 +17,7 @@ from ptgen.errors import Problem, RunError
 if TYPE_CHECKING:
     from ptgen.loops.governed_run import GovernedRun
     from ptgen.testbed.governor_settings import GovernorSettings
+    from ptgen.testbed.testbed import Testbed
 
 __all__ = ["GovernorChoice", "govern"]
 
@@ -40,7 +41,8 @@ def govern(
     governor: Annotated[
         GovernorChoice | None,
         typer.Option(
-            "--governor", help="The governor, in the place of the one in the bed file; optimal if it has none."
+            "--governor",
+            help="The governor, in the place of the one in the bed file; the best possible one if it has none.",
         ),
     ] = None,
     horizon: Annotated[
@@ -76,7 +78,7 @@ def govern(
 
     _check_plot(plot, scenario)
     project = Project.read(file)
-    settings = _settings(project.testbed.governor, governor, horizon, project.testbed.sample_time)
+    settings = _settings(project.testbed, governor, horizon)
     if compare and scenario is None:
         raise RunError(Problem("--compare", "needs a scenario to run", "name one with --scenario"))
     course = load_scenario(scenario, project.testbed) if scenario is not None else None
@@ -103,17 +105,19 @@ def govern(
         print_parts(governor_text(study))
 
 
-def _settings(
-    given: GovernorSettings, governor: GovernorChoice | None, horizon: str | None, sample_time: float
-) -> GovernorSettings:
-    """Return the settings of the bed file with those of the command line in their place."""
+def _settings(bed: Testbed, governor: GovernorChoice | None, horizon: str | None) -> GovernorSettings:
+    """Return the settings of the bed file with those of the command line in their place.
+
+    A bed without a governor gets the optimal one, or the best one without prediction if a ratio changes at run time.
+    """
+    given = bed.governor
     changes: dict[str, object] = {}
     if governor is not None:
         changes["kind"] = governor.value
     elif not given.is_chosen:
-        changes["kind"] = "optimal"
+        changes["kind"] = "sequential_modified" if bed.ratios else "optimal"
     if horizon is not None:
-        changes["horizon"] = _horizon(horizon, sample_time)
+        changes["horizon"] = _horizon(horizon, bed.sample_time)
     settings = given.model_copy(update=changes)
     if horizon is not None and settings.kind != "optimal":
         what = f'is for the optimal governor, and the one chosen is "{settings.kind}"'

@@ -265,7 +265,9 @@ def _ratios(table: object, testbed: Testbed, folder: Path) -> tuple[dict[str, Pr
             problems.append(Problem(where, f'"{name}" has an entry already, {first}', "remove one of the two"))
             continue
         least, most = parameter.span
-        remedy = f"stay within ratio_range of [{dotted('components', parameter.owner)}] in the bed, or widen it"
+        remedy = "stay within the range of its gears"
+        if "ratio_range" in getattr(type(testbed.components.get(parameter.owner)), "model_fields", {}):
+            remedy = f"stay within ratio_range of [{dotted('components', parameter.owner)}] in the bed, or widen it"
         profile, found = read_profile(entry, "", folder, "ratios", *path, bounds=Bounds(least, most, remedy))
         problems += found
         if profile is not None:

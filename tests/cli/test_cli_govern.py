@@ -127,3 +127,9 @@ def test_a_loop_that_does_not_settle(cli, tmp_path) -> None:
     assert bed.read_text(encoding="utf-8") != text
     found = cli.json("govern", bed, "--governor", "optimal", code=2)
     assert "the closed loop does not settle" in found["problems"][0]["what"]
+
+
+def test_a_bed_whose_ratio_changes_gets_the_best_governor_without_prediction(cli):
+    text = cli("govern", "testbeds/transmission-fixed-gear.toml").stdout
+    assert "Order of the sequential governor" in text
+    assert "gears and gears" not in cli("govern", "testbeds/transmission.toml", "--governor", "optimal", code=2).stderr
