@@ -220,7 +220,8 @@ def _entries(table: Mapping[str, object], elements: set[str]) -> Iterator[tuple[
     for key, entry in table.items():
         if key not in elements and isinstance(entry, dict) and _holds_elements(key, entry, elements):
             inside = {name.removeprefix(f"{key}.") for name in elements if name.startswith(f"{key}.")}
-            yield from (((key, *path), below) for path, below in _entries(entry, inside))
+            within = _entries(entry, inside) if inside else (((inner,), below) for inner, below in entry.items())
+            yield from (((key, *path), below) for path, below in within)
         else:
             yield (key,), entry
 
