@@ -10,7 +10,11 @@
 #include "transmission_support.h"
 
 /* Coefficients of the torques of the faster and of the slower wheel, and how far those of two polynomials are apart. */
-enum { transmission_fluid_faster = 4, transmission_fluid_slower = 7, transmission_fluid_stride = 12 };
+enum {
+    transmission_fluid_faster = 4,
+    transmission_fluid_slower = 7,
+    transmission_fluid_stride = 12,
+};
 
 /*
  * Torque that a fluid takes from the pump, and the one that it exerts on the turbine; speeds by the reference speed. The
