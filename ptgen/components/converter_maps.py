@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from typing import Annotated, ClassVar, Self
 
 from pydantic import model_validator
@@ -17,7 +18,7 @@ _Ratio = Annotated[float, Quantity("", "torque ratio", positive=False)]
 _Torque = Annotated[float, Quantity("N m", "torque at the reference speed", positive=False)]
 
 
-class ConverterMap(MapTable):
+class ConverterMap(MapTable, ABC):
     """Base of the maps: points over a speed ratio that cover an interval without a gap."""
 
     begin: ClassVar[float] = 0.0
@@ -71,9 +72,9 @@ class ConverterMap(MapTable):
                 found.append((("torque_ratio", k), f"{what}; it must be {least} {1 / share:.6g} there"))
         return found
 
+    @abstractmethod
     def ratios(self) -> tuple[float, ...]:
         """Return the torque of the slower wheel over that of the faster one at each point."""
-        raise NotImplementedError
 
 
 class DriveMap(ConverterMap):
