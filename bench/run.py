@@ -82,6 +82,9 @@ def generation() -> None:
 
     bare = best(lambda: timed(["-c", "import numpy, sympy"]), 3)
     print(f"{'import numpy, sympy':40} {bare:8.2f} {1.0:17.1f}")
+    for part in sorted((ROOT / "parts").glob("*.toml")):
+        wall = best(lambda part=part: timed(["-m", "ptgen", "gears", str(part)]), 3)  # type: ignore[misc]
+        print(f"{'ptgen gears ' + part.stem:40} {wall:8.2f} {wall / bare:17.1f}")
     with tempfile.TemporaryDirectory() as folder:
         for bed in RUNS:
             path = str(ROOT / "testbeds" / f"{bed}.toml")
